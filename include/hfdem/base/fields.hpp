@@ -1,0 +1,136 @@
+/// @file
+/// A parameter is described once: name, unit, allowed range and meaning. Validation, printing and
+/// reading from a file all follow from that one table.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include <hfdem/base/errors.hpp>
+#include <hfdem/base/vec2.hpp>
+
+namespace hfdem {
+
+/// The allowed range of a number; an open end excludes the bound itself.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool open_low = false;
+  bool open_high = false;
+
+  constexpr bool contains(double v) const {
+    return (open_low ? v > low : v >= low) && (open_high ? v < high : v <= high);
+  }
+};
+inline constexpr Range any_number{};
+inline constexpr Range positive{.low = 0, .open_low = true};
+inline constexpr Range non_negative{.low = 0};
+
+/// One parameter of an aggregate `Params`.
+template <class Params, class T>
+struct Field {
+  std::string_view name;
+  T Params::*member;
+  std::string_view unit;
+  Range range;
+  std::string_view meaning;
+};
+
+/// A named group of parameters: a section of the parameter file.
+template <class Params, class T>
+struct Section {
+  std::string_view name;
+  T Params::*member;
+};
+
+/// Specialise for an enumeration to give its values' names, in order.
+template <class Enum>
+inline constexpr std::array<std::string_view, 0> names_of{};
+
+/// Parameters that describe themselves by a table of fields.
+template <class P>
+concept Described = requires {
+  P::fields();
+};
+
+template <class>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// Calls `f(field)` for every field of a table.
+template <Described P, class F>
+void for_each_field(F&& f) {
+  std::apply([&](const auto&... field) { (f(field), ...); }, P::fields());
+}
+
+/// Calls `f(name, section)` for every section of a tree of parameters.
+template <class Tree, class F>
+void for_each_section(Tree& tree, F&& f) {
+  std::apply([&](const auto&... s) { (f(s.name, tree.*(s.member)), ...); }, Tree::sections());
+}
+
+/// The shortest decimal text that reads back as the same number.
+inline std::string to_text(double v) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), v).ptr;
+  return {buffer.data(), end};
+}
+
+inline std::string to_text(const Range& range, std::string_view unit) {
+  const auto bound = [&](double v) {
+    return unit.empty() ? to_text(v) : to_text(v) + " " + std::string(unit);
+  };
+  const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
+  const std::string above = (range.open_low ? "greater than " : "at least ") + bound(range.low);
+  const std::string below = (range.open_high ? "less than " : "at most ") + bound(range.high);
+  if (low && high) return above + " and " + below;
+  return low ? above : high ? below : "any finite number";
+}
+
+[[noreturn]] inline void refuse(std::string_view section, std::string_view field,
+                                std::string_view value, std::string_view allowed) {
+  throw InvalidParameter(std::string(section) + "." + std::string(field) + " = " +
+                         std::string(value) + " is not allowed: it must be " +
+                         std::string(allowed));
+}
+
+namespace detail {
+
+template <class T>
+void check_range(std::string_view section, std::string_view name, std::string_view unit,
+                 const Range& range, const T& value) {
+  if constexpr (is_optional<T>) {
+    if (value) check_range(section, name, unit, range, *value);
+  } else if constexpr (std::is_same_v<T, Vec2>) {
+    check_range(section, name, unit, range, value.x);
+    check_range(section, name, unit, range, value.y);
+  } else if constexpr (!std::is_enum_v<T> && !std::is_same_v<T, bool>) {
+    const double number = value;
+    if (!std::isfinite(number) || !range.contains(number)) {
+      const std::string shown =
+          unit.empty() ? to_text(number) : to_text(number) + " " + std::string(unit);
+      refuse(section, name, shown, to_text(range, unit));
+    }
+  }
+}
+
+}  // namespace detail
+
+/// Checks every field of one section against its range.
+/// @throws InvalidParameter naming the field, its value and the allowed range.
+template <Described P>
+void validate(const P& params, std::string_view section) {
+  for_each_field<P>([&](const auto& f) {
+    detail::check_range(section, f.name, f.unit, f.range, params.*(f.member));
+  });
+}
+
+}  // namespace hfdem

@@ -1,0 +1,134 @@
+/// @file
+/// Four doubles that move together: the value type of the vectorised contact loop.
+///
+/// `Pack` is a vector extension of g++ and clang++ with a fixed width of four, so its layout in
+/// memory, and every bit of a result, is the same whatever instruction set the compiler is allowed
+/// to use; without `-mavx` it becomes two SSE2 registers. Arithmetic operators, comparisons and
+/// `mask ? a : b` are the compiler's own. The functions below exist for `double` as well, so that a
+/// contact law is one formula for a single contact and for four.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+// Without AVX both compilers warn that packs would be passed differently between object files built
+// with and without it. No function of a header-only library crosses that border.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace hfdem {
+
+using Pack = double __attribute__((vector_size(32)));
+/// Four masks of 64 bits, all ones or all zeros: what comparing two packs gives.
+using PackMask = decltype(Pack{} < Pack{});
+inline constexpr std::size_t pack_width = 4;
+
+/// The result type of a comparison of two values of type `T`.
+template <class T>
+using MaskOf = decltype(T{} < T{});
+
+inline double max(double a, double b) { return a > b ? a : b; }
+inline double min(double a, double b) { return a < b ? a : b; }
+inline double abs(double a) { return std::fabs(a); }
+inline Pack max(const Pack& a, const Pack& b) { return a > b ? a : b; }
+inline Pack min(const Pack& a, const Pack& b) { return a < b ? a : b; }
+inline Pack abs(const Pack& a) {
+  constexpr long long magnitude = 0x7fff'ffff'ffff'ffff;
+  return std::bit_cast<Pack>(std::bit_cast<PackMask>(a) &
+                             PackMask{magnitude, magnitude, magnitude, magnitude});
+}
+template <class T>
+T clamp(const T& value, const T& low, const T& high) {
+  return max(low, min(value, high));
+}
+
+/// Minus one, zero or one. Zero stays zero: a velocity of exactly zero must not be damped to one
+/// side, or rounding would decide which wing of a crack runs.
+inline Pack sign(const Pack& a) {
+  const Pack zero{}, one = zero + 1.0;
+  return (a > zero ? one : zero) - (a < zero ? one : zero);
+}
+
+inline bool any(bool mask) { return mask; }
+inline bool any(const PackMask& mask) {
+#ifdef __AVX__
+  using Bits = long long __attribute__((vector_size(32)));
+  const auto bits = std::bit_cast<Bits>(mask);
+  return __builtin_ia32_ptestz256(bits, bits) == 0;
+#else
+  return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
+#endif
+}
+
+/// Turns four rows into four columns (and back).
+inline void transpose(Pack& a, Pack& b, Pack& c, Pack& d) {
+  const Pack ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Pack ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Pack cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Pack cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+}
+
+/// A column of records, `Record<double>` each, stored four to a block as `Record<Pack>`: the loop
+/// reads whole blocks, everything else reads and writes single records.
+/// @tparam Record an aggregate template whose members are all of its value type.
+template <template <class> class Record>
+class PackedColumn {
+ public:
+  using One = Record<double>;
+  using Four = Record<Pack>;
+  static constexpr std::size_t members = std::is_empty_v<One> ? 0 : sizeof(One) / sizeof(double);
+  static_assert(members == 0 || (sizeof(One) == members * sizeof(double) &&
+                                 sizeof(Four) == members * sizeof(Pack)),
+                "a packed record must consist of values of its value type only");
+
+  PackedColumn() = default;
+  /// @param size number of records, a multiple of `pack_width`; all start as zeros.
+  explicit PackedColumn(std::size_t size) : blocks_(size / pack_width, Four{}) {}
+
+  Four& block(std::size_t b) { return blocks_[b]; }
+  const Four& block(std::size_t b) const { return blocks_[b]; }
+
+  One operator[](std::size_t index) const { return lane(blocks_[index / pack_width], index); }
+
+  void set(std::size_t index, const One& record) {
+    auto values = std::bit_cast<std::array<double, members * pack_width>>(blocks_[index / 4]);
+    const auto source = std::bit_cast<std::array<double, members>>(record);
+    for (std::size_t m = 0; m < members; ++m)
+      values[m * pack_width + index % pack_width] = source[m];
+    blocks_[index / pack_width] = std::bit_cast<Four>(values);
+  }
+
+  /// Whether block `b` is not the same, bit for bit, as `other`.
+  bool differs(std::size_t b, const Four& other) const {
+    if constexpr (members == 0) {
+      return false;
+    } else {
+      const auto mine = std::bit_cast<std::array<PackMask, members>>(blocks_[b]);
+      const auto theirs = std::bit_cast<std::array<PackMask, members>>(other);
+      PackMask difference{};
+      for (std::size_t m = 0; m < members; ++m) difference |= mine[m] ^ theirs[m];
+      return any(difference);
+    }
+  }
+
+  /// The record of one lane of a block (`index` modulo four).
+  static One lane(const Four& block, std::size_t index) {
+    const auto values = std::bit_cast<std::array<double, members * pack_width>>(block);
+    std::array<double, members> one{};
+    for (std::size_t m = 0; m < members; ++m) one[m] = values[m * pack_width + index % pack_width];
+    return std::bit_cast<One>(one);
+  }
+
+ private:
+  std::vector<Four> blocks_;
+};
+
+}  // namespace hfdem

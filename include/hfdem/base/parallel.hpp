@@ -1,0 +1,40 @@
+/// @file
+/// Loops over threads. OpenMP is optional: without it everything runs on one thread, and the
+/// results are the same bits either way, because no loop sums across threads.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace hfdem {
+
+/// Number of threads that a loop can use on this machine.
+inline int available_threads() {
+#ifdef _OPENMP
+  return omp_get_max_threads();
+#else
+  return 1;
+#endif
+}
+
+/// Splits [0, count) into chunks of `grain` and calls `f(chunk, begin, end)` for each.
+/// `f` may write only to places that belong to its own chunk.
+template <class F>
+void for_chunks(std::size_t count, std::size_t grain, [[maybe_unused]] int threads, F&& f) {
+  const std::size_t chunks = (count + grain - 1) / grain;
+  const auto run = [&](std::size_t c) { f(c, c * grain, std::min(count, (c + 1) * grain)); };
+#ifdef _OPENMP
+  if (threads > 1) {
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (std::size_t c = 0; c < chunks; ++c) run(c);
+    return;
+  }
+#endif
+  for (std::size_t c = 0; c < chunks; ++c) run(c);
+}
+
+}  // namespace hfdem

@@ -1,0 +1,145 @@
+/// @file
+/// Linear contact with a parallel bond, in total form.
+///
+/// Source: D. O. Potyondy, P. A. Cundall, "A bonded-particle model for rock", Int. J. Rock Mech.
+/// Min. Sci. 41 (2004) 1329-1364; the plane form of PFC2D. Per metre of thickness, for discs of
+/// radii R1, R2: L = R1 + R2, Rb = min(R1, R2), area A = 2 Rb, inertia I = (2/3) Rb^3.
+///
+///   linear part   k_n = A E / L, k_s = k_n / ratio; no tension; shear slips at friction * normal
+///   bond          per area E_b / L and (E_b / L) / ratio; tension, compression, shear and moment
+///   breaks        in tension at  F / A + beta |M| Rb / I > tensile strength      (F tension)
+///                 in shear at    |S| / A > cohesion + compressive stress * tan(friction angle)
+///
+/// Total form: every force follows from the displacement since bonding; the one thing remembered is
+/// the shear offset that carries slip (return mapping). It writes nothing while nothing slips.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include <hfdem/base/fields.hpp>
+#include <hfdem/base/pack.hpp>
+#include <hfdem/state/contact.hpp>
+
+namespace hfdem {
+
+class LinearParallelBond {
+ public:
+  /// Micro-parameters; the defaults are those of the paper's Table 3.
+  struct Params {
+    double E = 17e9;
+    double stiffness_ratio = 2.5;
+    double friction = 0.5;
+    double bond_E = 17e9;
+    double bond_stiffness_ratio = 2.5;
+    double tensile_strength = 8e6;
+    double cohesion = 15e6;
+    double friction_angle = 30;
+    double moment_factor = 1;
+
+    static constexpr auto fields() {
+      using P = Params;
+      return std::tuple{
+          Field{"E", &P::E, "Pa", positive, "Young's modulus of the particle"},
+          Field{"stiffness_ratio", &P::stiffness_ratio, "", positive,
+                "normal to shear stiffness of the particle"},
+          Field{"friction", &P::friction, "", non_negative, "friction coefficient of the particle"},
+          Field{"bond_E", &P::bond_E, "Pa", non_negative, "Young's modulus of the parallel bond"},
+          Field{"bond_stiffness_ratio", &P::bond_stiffness_ratio, "", positive,
+                "normal to shear stiffness of the parallel bond"},
+          Field{"tensile_strength", &P::tensile_strength, "Pa", non_negative,
+                "tensile strength of the parallel bond"},
+          Field{"cohesion", &P::cohesion, "Pa", non_negative, "cohesion of the parallel bond"},
+          Field{"friction_angle", &P::friction_angle, "deg", Range{0, 90, false, true},
+                "friction angle of the parallel bond"},
+          Field{"moment_factor", &P::moment_factor, "", Range{0, 1},
+                "part of the bond's moment that counts in its tensile stress (beta)"}};
+    }
+  };
+
+  template <class T>
+  struct Stiffness {
+    T normal;       ///< linear part, N/m per m
+    T bond;         ///< bond, N/m per m; zero once broken
+    T bond_radius;  ///< Rb, m
+  };
+
+  template <class T>
+  struct Memory {
+    T shear_offset;  ///< shear force of the linear part that slip has taken up, N per m
+  };
+
+  /// Forces of both parts, N per m (moment: N m per m); compression positive.
+  template <class T>
+  struct Response {
+    T linear_normal, linear_shear;
+    T bond_normal, bond_shear, bond_moment;
+    Memory<T> memory;  ///< after this motion
+
+    Reaction<T> reaction() const {
+      return {linear_normal + bond_normal, linear_shear + bond_shear, bond_moment};
+    }
+  };
+
+  explicit LinearParallelBond(const Params& p)
+      : E_(p.E),
+        bond_E_(p.bond_E),
+        shear_per_normal_(1 / p.stiffness_ratio),
+        bond_shear_per_normal_(1 / p.bond_stiffness_ratio),
+        friction_(p.friction),
+        tensile_strength_(p.tensile_strength),
+        cohesion_(p.cohesion),
+        tan_friction_angle_(std::tan(p.friction_angle * std::numbers::pi / 180)),
+        moment_factor_(p.moment_factor) {}
+
+  Stiffness<double> stiffness(Disc a, Disc b) const noexcept {
+    const double length = a.radius + b.radius, bond_radius = std::fmin(a.radius, b.radius);
+    const double slenderness = 2 * bond_radius / length;
+    return {slenderness * E_, slenderness * bond_E_, bond_radius};
+  }
+
+  /// What is left of a contact whose bond has broken.
+  Stiffness<double> broken(const Stiffness<double>& k) const noexcept {
+    return {k.normal, 0, k.bond_radius};
+  }
+
+  Springs springs(const Stiffness<double>& k) const noexcept {
+    return {k.normal + k.bond, k.normal * shear_per_normal_ + k.bond * bond_shear_per_normal_,
+            k.bond * k.bond_radius * k.bond_radius / 3};
+  }
+
+  template <class T>
+  Response<T> respond(const Stiffness<T>& k, const Memory<T>& memory,
+                      const Motion<T>& motion) const noexcept {
+    const T normal = max(T{}, -(k.normal * motion.opening));
+    const T elastic = memory.shear_offset - (k.normal * shear_per_normal_) * motion.shear;
+    const T limit = friction_ * normal;
+    const T shear = clamp(elastic, T(-limit), limit);
+    return {
+        .linear_normal = normal,
+        .linear_shear = shear,
+        .bond_normal = -(k.bond * motion.opening),
+        .bond_shear = -((k.bond * bond_shear_per_normal_) * motion.shear),
+        // (E_b / L) I = k_bond Rb^2 / 3
+        .bond_moment = ((1.0 / 3.0) * k.bond * (k.bond_radius * k.bond_radius)) * motion.rotation,
+        .memory = {memory.shear_offset + (shear - elastic)}};
+  }
+
+  /// Both criteria are multiplied by the area, the tensile one by Rb too: no division.
+  template <class T>
+  Failure<T> failure(const Stiffness<T>& k, const Response<T>& r) const noexcept {
+    const T area = 2.0 * k.bond_radius;
+    // Rb / I = 3 / (A Rb)
+    const T tension = (3.0 * moment_factor_) * abs(r.bond_moment) - r.bond_normal * k.bond_radius;
+    const auto in_tension = tension > (tensile_strength_ * area) * k.bond_radius;
+    const T shear_strength = cohesion_ * area + tan_friction_angle_ * max(T{}, r.bond_normal);
+    return {in_tension, abs(r.bond_shear) > shear_strength};
+  }
+
+ private:
+  double E_, bond_E_, shear_per_normal_, bond_shear_per_normal_, friction_;
+  double tensile_strength_, cohesion_, tan_friction_angle_, moment_factor_;
+};
+
+}  // namespace hfdem

@@ -1,0 +1,122 @@
+/// @file
+/// What holds the specimen: rigid smooth platens (servo-controlled, or frozen once settled), or
+/// dead loads on the discs of the rim.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include <hfdem/base/fields.hpp>
+#include <hfdem/mechanics/force_rows.hpp>
+#include <hfdem/state/discs.hpp>
+#include <hfdem/state/specimen.hpp>
+
+namespace hfdem {
+
+enum class BoundaryKind { servo, frozen, dead_loads };
+template <>
+inline constexpr auto names_of<BoundaryKind> = std::to_array<std::string_view>({"servo", "frozen",
+                                                                                "dead_loads"});
+
+class Loading {
+ public:
+  struct Params {
+    BoundaryKind kind = BoundaryKind::servo;
+    double servo_gain = 0.5;
+
+    static constexpr auto fields() {
+      using P = Params;
+      return std::tuple{
+          Field{"kind", &P::kind, "", any_number,
+                "servo: platens hold the in-situ stress; frozen: platens stop once settled; "
+                "dead_loads: no platens, constant forces on the rim"},
+          Field{"servo_gain", &P::servo_gain, "", Range{0, 1, true},
+                "part of the force error that a platen takes back in one mechanical step"}};
+    }
+  };
+
+  Loading(const Params& params, const Specimen& specimen)
+      : params_(params),
+        width_(specimen.width),
+        height_(specimen.height),
+        dead_load_(specimen.size()) {
+    if (has_platens()) return;
+    for (const Side side : all_sides) {
+      auto& rim = rim_[static_cast<std::size_t>(side)];
+      double sum = 0;
+      for (Index i = 0; i < specimen.size(); ++i)
+        if (specimen.touches(i, side))
+          rim.push_back({i, specimen.radius[i]}), sum += rim.back().share;
+      for (RimDisc& d : rim) d.share /= sum;
+    }
+  }
+
+  const Params& params() const { return params_; }
+  bool has_platens() const { return params_.kind != BoundaryKind::dead_loads; }
+  Stress stress() const { return stress_; }
+  double width() const { return width_; }
+  double height() const { return height_; }
+
+  /// The force that the in-situ stress exerts on one side, N per m.
+  double target(Side side) const {
+    return is_vertical(side) ? stress_.xx * height_ : stress_.yy * width_;
+  }
+
+  /// A platen's stiffness: the sum of its contacts' springs, N/m per m.
+  void add_stiffness(Side side, double stiffness) {
+    stiffness_[static_cast<std::size_t>(side)] += stiffness;
+  }
+
+  void set_stress(Stress stress) {
+    stress_ = stress;
+    dead_load_.assign(dead_load_.size(), {});
+    for (const Side side : all_sides)
+      for (const auto& [disc, share] : rim_[static_cast<std::size_t>(side)])
+        dead_load_[disc] = dead_load_[disc] - (target(side) * share) * outward(side);
+  }
+
+  /// The constant force on a disc of the rim, N per m; zero where platens hold the specimen.
+  Vec2 dead_load(Index disc) const { return dead_load_[disc]; }
+
+  /// How far a platen's force is from its target, relative to it.
+  double error(Side side, const Discs& discs, const ForceRows& forces) const {
+    const double goal = target(side);
+    return goal == 0 ? 0 : std::abs(compression(side, discs, forces) - goal) / std::abs(goal);
+  }
+
+  /// The force of the discs on a platen, N per m, compression positive.
+  static double compression(Side side, const Discs& discs, const ForceRows& forces) {
+    const Pack total = forces.total(discs.platen(side));
+    return dot({total[0], total[1]}, outward(side));
+  }
+
+  /// One mechanical step of the platens: each moves by a part of what would correct its force.
+  void step(Discs& discs, const ForceRows& forces, bool settling) const {
+    if (!has_platens() || (params_.kind == BoundaryKind::frozen && !settling)) return;
+    for (const Side side : all_sides) {
+      const double excess = compression(side, discs, forces) - target(side);
+      const double outwards =
+          params_.servo_gain * excess / stiffness_[static_cast<std::size_t>(side)];
+      const Vec2 out = outward(side);
+      discs.displacement[discs.platen(side)] += Pack{out.x, out.y, 0, 0} * outwards;
+    }
+  }
+
+ private:
+  struct RimDisc {
+    Index disc;
+    double share;  ///< of the side's force
+  };
+
+  Params params_;
+  double width_, height_;
+  Stress stress_{0, 0};
+  std::array<double, 4> stiffness_{};
+  std::array<std::vector<RimDisc>, 4> rim_;
+  std::vector<Vec2> dead_load_;
+};
+
+}  // namespace hfdem

@@ -1,0 +1,77 @@
+/// @file
+/// Newton's law for the discs: explicit central differences with local damping.
+///
+/// Source: P. A. Cundall, local (non-viscous) damping as in PFC2D: the force that accelerates is
+/// F - d |F| sign(v), component by component.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include <hfdem/base/parallel.hpp>
+#include <hfdem/mechanics/force_rows.hpp>
+#include <hfdem/state/discs.hpp>
+
+namespace hfdem {
+
+class DiscMotion {
+ public:
+  DiscMotion() = default;
+  /// @param dt mechanical time step, s
+  DiscMotion(const Discs& discs, double dt, double damping)
+      : dt_(dt), damping_(damping), largest_in_chunk_((discs.size() + grain - 1) / grain) {
+    for (std::size_t i = 0; i < discs.size(); ++i)
+      dt_over_inertia_.push_back({dt / discs.mass[i], dt / discs.inertia(i)});
+  }
+
+  double dt() const { return dt_; }
+
+  /// Gathers all forces on each disc and moves it by one time step.
+  /// @returns the largest resultant force on a disc before damping, N per m; not a finite number if
+  ///   any resultant is not
+  double step(Discs& discs, const ForceRows& forces, int threads) {
+    for_chunks(
+        discs.size(), grain, threads, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+          Pack largest{}, sum{};
+          for (std::size_t i = begin; i < end; ++i) {
+            const Pack force = forces.total(i) + discs.load[i];
+            const Pack square = force * force;
+            largest = max(largest, square + __builtin_shufflevector(square, square, 1, 0, 3, 2));
+            sum += square;
+            move(discs, i, force);
+          }
+          // A maximum loses what is not a number; a sum keeps it.
+          const double total = sum[0] + sum[1] + sum[2] + sum[3];
+          largest_in_chunk_[chunk] = std::isfinite(total) ? largest[0] : total;
+        });
+    double largest = 0;
+    for (const double square : largest_in_chunk_) {
+      if (!std::isfinite(square)) return square;
+      largest = max(largest, square);
+    }
+    return std::sqrt(largest);
+  }
+
+ private:
+  struct DtOverInertia {
+    double translation, rotation;
+  };
+  static constexpr std::size_t grain = 256;
+
+  void move(Discs& discs, std::size_t i, const Pack& force) const {
+    // Both torque lanes become the whole torque; the two force lanes stay.
+    const Pack twin = __builtin_shufflevector(force, Pack{}, 4, 5, 3, 2);
+    const Pack pull = force + twin;
+    Pack& velocity = discs.velocity[i];
+    const Pack damped = pull - damping_ * abs(pull) * sign(velocity);
+    const auto [translation, rotation] = dt_over_inertia_[i];
+    velocity += damped * Pack{translation, translation, rotation, rotation};
+    discs.displacement[i] += velocity * dt_;
+  }
+
+  double dt_ = 0, damping_ = 0;
+  std::vector<DtOverInertia> dt_over_inertia_;
+  std::vector<double> largest_in_chunk_;
+};
+
+}  // namespace hfdem

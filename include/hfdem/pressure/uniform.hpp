@@ -1,0 +1,99 @@
+/// @file
+/// The uniform-pressure algorithm for the toughness-dominated regime: the paper's Section 2.1,
+/// Eqs. 1-3 and Fig. 2.
+///
+/// Viscosity spends nothing, so one pressure fills the whole crack; it is nudged until the volume
+/// that the crack has opened, V_c, is the volume injected, V_f:
+///
+///   dP = alpha (V_f - V_c) / V_t        once per mechanical step
+///
+/// Two rules say when a fluid step ends:
+///   the paper's   |V_f - V_c| <= 1 % of V_f, or ten mechanical steps;
+///   equilibrium   |V_f - V_c| <= 0.1 % of V_f *and* the largest unbalanced force below 1e-3 of
+///                 the mean contact force. Matched volume alone is not equilibrium.
+/// What is unmet carries over to the next step.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include <hfdem/base/fields.hpp>
+#include <hfdem/base/pack.hpp>
+#include <hfdem/state/network.hpp>
+#include <hfdem/state/step.hpp>
+
+namespace hfdem {
+
+class UniformPressure {
+ public:
+  struct Params {
+    double fluid_dt = 1e-4;
+    double alpha = 0.2e6;
+    double max_pressure_step = 0.2e6;
+    bool equilibrium = false;
+    std::optional<int> max_mechanical_steps{};  ///< 10 by the paper's rule, 1000 at equilibrium
+    std::optional<double> volume_tolerance{};   ///< 1e-2 by the paper's rule, 1e-3 at equilibrium
+    double unbalanced_tolerance = 1e-3;
+
+    static constexpr auto fields() {
+      using P = Params;
+      return std::tuple{
+          Field{"fluid_dt", &P::fluid_dt, "s", positive, "fluid time step"},
+          Field{"alpha", &P::alpha, "Pa", positive,
+                "pressure change per relative volume difference (Eq. 1)"},
+          Field{"max_pressure_step", &P::max_pressure_step, "Pa", positive,
+                "largest pressure change in one mechanical step"},
+          Field{"equilibrium", &P::equilibrium, "", any_number,
+                "end a fluid step at equilibrium instead of by the paper's rule"},
+          Field{"max_mechanical_steps", &P::max_mechanical_steps, "", Range{1},
+                "mechanical steps after which a fluid step ends in any case"},
+          Field{"volume_tolerance", &P::volume_tolerance, "", Range{0, 1, true},
+                "largest |V_f - V_c| / V_f at the end of a fluid step"},
+          Field{"unbalanced_tolerance", &P::unbalanced_tolerance, "", positive,
+                "largest resultant on a disc over the mean contact force at equilibrium"}};
+    }
+
+    /// With the rule's own values where none are given.
+    Params resolved() const {
+      Params p = *this;
+      if (!p.max_mechanical_steps) p.max_mechanical_steps = equilibrium ? 1000 : 10;
+      if (!p.volume_tolerance) p.volume_tolerance = equilibrium ? 1e-3 : 1e-2;
+      return p;
+    }
+  };
+  static constexpr bool holds_fluid = true;
+
+  explicit UniformPressure(const Params& params) : params_(params.resolved()) {}
+
+  double fluid_dt(double) const { return params_.fluid_dt; }
+
+  template <class Relax>
+  FluidStep advance(Network& network, const Injected& injected, Relax&& relax) {
+    FluidStep step;
+    do {
+      raise_pressure(network, injected.total);
+      const Relaxed relaxed = relax();
+      ++step.mechanical_steps;
+      step.unbalanced_ratio = relaxed.unbalanced_ratio;
+      step.volume_error = std::abs(injected.total - network.crack_volume()) / injected.total;
+      step.converged =
+          step.volume_error <= *params_.volume_tolerance &&
+          (!params_.equilibrium || relaxed.unbalanced_ratio < params_.unbalanced_tolerance);
+    } while (!step.converged && step.mechanical_steps < *params_.max_mechanical_steps);
+    return step;
+  }
+
+ private:
+  void raise_pressure(Network& network, double injected) const {
+    const double volume = max(network.total_volume(), network.rest_volume());
+    const double wanted = params_.alpha * (injected - network.crack_volume()) / volume;
+    const double change = clamp(wanted, -params_.max_pressure_step, params_.max_pressure_step);
+    const double pressure = max(0.0, network.pressure(network.injection_domain()) + change);
+    for (const Index d : network.wet_domains()) network.set_pressure(d, pressure);
+  }
+
+  Params params_;
+};
+
+}  // namespace hfdem

@@ -1,0 +1,358 @@
+/// @file
+/// The simulator: four policies, composed at compile time, over one assembly of discs.
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <hfdem/contact/smooth_platen.hpp>
+#include <hfdem/mechanics/contact_range.hpp>
+#include <hfdem/mechanics/force_rows.hpp>
+#include <hfdem/mechanics/loading.hpp>
+#include <hfdem/mechanics/motion.hpp>
+#include <hfdem/mechanics/stable_step.hpp>
+#include <hfdem/mechanics/uniform_strain.hpp>
+#include <hfdem/setup/bonding.hpp>
+#include <hfdem/setup/flow_domains.hpp>
+#include <hfdem/setup/preset_crack.hpp>
+#include <hfdem/simulator_params.hpp>
+#include <hfdem/state/concepts.hpp>
+
+namespace hfdem {
+
+/// A bond that broke during a run.
+struct BondBreak {
+  double time;    ///< end of the fluid step in which it broke, s
+  Index contact;  ///< also the index of its flow channel
+  Mode mode;
+  double pressure;  ///< at the injection when it broke, Pa
+};
+
+/// Bonded discs with a fluid network.
+///
+/// The constructor bonds the specimen, cuts the preset crack and lets the in-situ stress settle;
+/// from then on `step` makes one fluid step, with as many mechanical steps as the pressure scheme
+/// wants. The simulator does no input or output and has no globals; several may live side by side.
+/// The bits of every result depend only on the parameters, never on the number of threads.
+///
+/// @tparam Contact law between bonded discs, e.g. `LinearParallelBond`
+/// @tparam Aperture law of the flow channels, e.g. `HyperbolicAperture`
+/// @tparam Pressure update of the fluid, e.g. `UniformPressure`
+/// @tparam Neighbours search that proposes the pairs to bond, e.g. `FixedPairs`
+template <ContactLaw Contact, ApertureLaw Aperture, PressureScheme Pressure,
+          NeighbourSearch Neighbours>
+class Simulator {
+ public:
+  using Params = SimulatorParams<Contact, Aperture, Pressure>;
+
+  /// @throws InvalidParameter naming the field that is wrong
+  /// @throws RunStopped if the specimen finds no equilibrium under the in-situ stress
+  Simulator(const Specimen& specimen, const Params& params)
+      : params_((params.validate(), params)),
+        specimen_(specimen),
+        discs_(specimen),
+        geometry_(bonded_contacts<Neighbours>(specimen)),
+        loading_(params.boundary, specimen),
+        forces_(discs_.size() + all_sides.size()),
+        rock_(make_rock()),
+        platens_(make_platens()),
+        aperture_(params.aperture),
+        pressure_(params.scheme) {
+    forces_.arrange();
+    motion_ = DiscMotion(
+        discs_,
+        params.mechanics.step_fraction * stable_step(largest_frequency(), params.mechanics.damping),
+        params.mechanics.damping);
+    make_network();
+    set_in_situ(params.in_situ);
+  }
+
+  // ---- verbs ----------------------------------------------------------------------------------
+
+  /// Makes one fluid step.
+  /// @throws RunStopped when the run cannot go on; everything stays readable
+  FluidStep step() {
+    const double dt = pressure_.fluid_dt(motion_.dt());
+    const double injected = rate_ * dt;
+    time_ += dt;
+    injected_ += injected;
+    ++fluid_steps_;
+    if (mechanical_steps_ >= mean_contact_force_until_) {
+      mean_contact_force_ = mean_contact_force();
+      mean_contact_force_until_ = mechanical_steps_ + mean_contact_force_lifetime;
+    }
+    return pressure_.advance(network_, Injected{injected_, injected},
+                             [this] { return relax(false); });
+  }
+
+  /// Steps until `end_time`, s, telling observers; see docs/observers.md. An observer is called
+  /// after every fluid step as `observer(simulator)` or, where it has one, through its member
+  /// `fluid_step(simulator, FluidStep)`; if the answer is a bool, false stops the run. A member
+  /// `bond_break(simulator, BondBreak)` is called for every bond.
+  /// @returns whether the end time was reached
+  template <class... Observers>
+  bool run_until(double end_time, Observers&&... observers) {
+    while (time_ + 1e-6 * pressure_.fluid_dt(motion_.dt()) < end_time) {
+      const std::size_t told = breaks_.size();
+      const FluidStep result = step();
+      for (std::size_t b = told; b < breaks_.size(); ++b) (tell_break(observers, breaks_[b]), ...);
+      if (!(tell_step(observers, result) & ... & true)) return false;
+    }
+    return true;
+  }
+
+  /// Changes the in-situ stress and lets the specimen settle, without fluid flow.
+  /// @throws RunStopped if it finds no equilibrium
+  void set_in_situ(Stress stress) {
+    const Stress before = loading_.stress();
+    loading_.set_stress(stress);
+    for (Index i = 0; i < discs_.size(); ++i) load_disc(i);
+    shorten(discs_, uniform_strain_.shortening({stress.xx - before.xx, stress.yy - before.yy}),
+            loading_.width(), loading_.height());
+    settle();
+  }
+
+  /// Relaxes at the present pressures until the largest unbalanced force is below
+  /// `mechanics.settle_tolerance` of the mean contact force.
+  /// @throws RunStopped if it finds no equilibrium
+  void settle() {
+    constexpr int between_checks = 20;
+    for (int steps = 0; steps < params_.mechanics.max_settle_steps; steps += between_checks) {
+      Relaxed last{};
+      for (int k = 0; k < between_checks; ++k) last = relax(true);
+      mean_contact_force_ = mean_contact_force();
+      double worst = last.unbalanced_ratio;
+      if (loading_.has_platens())
+        for (const Side side : all_sides)
+          worst = std::fmax(worst, loading_.error(side, discs_, forces_));
+      if (worst < params_.mechanics.settle_tolerance) return;
+    }
+    throw RunStopped("the specimen found no equilibrium in " +
+                     std::to_string(params_.mechanics.max_settle_steps) +
+                     " mechanical steps (mechanics.max_settle_steps) while settling");
+  }
+
+  /// Changes the injection rate, m2/s, from the next step on.
+  void inject(double rate) { rate_ = rate; }
+  /// Number of threads for the loops; the results do not depend on it.
+  void use_threads(int threads) { threads_ = threads; }
+
+  // ---- what can be read -----------------------------------------------------------------------
+
+  double time() const { return time_; }  ///< s
+  const Params& params() const { return params_; }
+  const Specimen& specimen() const { return specimen_; }
+  const Discs& discs() const { return discs_; }
+  const ContactRange<Contact>& contacts() const { return rock_; }
+  const Network& network() const { return network_; }
+  const Loading& loading() const { return loading_; }
+  const ForceRows& forces() const { return forces_; }
+  Pressure& pressure_scheme() { return pressure_; }
+  const Pressure& pressure_scheme() const { return pressure_; }
+  std::span<const BondBreak> breaks() const { return breaks_; }
+  std::span<const Index> preset_contacts() const { return preset_; }
+  double injected_volume() const { return injected_; }  ///< V_f, m2
+  double injection_pressure() const { return network_.pressure(network_.injection_domain()); }
+  /// Direction of the preset crack.
+  Vec2 crack_direction() const { return hfdem::crack_direction(params_.in_situ); }
+  double mechanical_dt() const { return motion_.dt(); }  ///< s
+  long mechanical_steps() const { return mechanical_steps_; }
+  long fluid_steps() const { return fluid_steps_; }
+
+  /// Where a contact is: its contact point, m.
+  Vec2 contact_point(Index contact) const {
+    const auto& [bodies, f] = geometry_[contact];
+    return discs_.centre[bodies.first] +
+           (f.arm_mean - f.arm_half_difference) * Vec2{f.normal_x, f.normal_y};
+  }
+  const ContactGeometry& contact_geometry(Index contact) const { return geometry_[contact]; }
+
+  /// Mean size of the force in the contacts between discs at the last mechanical step, N per m.
+  double mean_contact_force() const {
+    double sum = 0;
+    for (std::size_t c = 0; c < rock_.size(); ++c) {
+      const Pack& row = forces_.rows()[rock_.first_row() + c];
+      sum += std::sqrt(row[0] * row[0] + row[1] * row[1]);
+    }
+    return rock_.size() == 0 ? 0 : sum / static_cast<double>(rock_.size());
+  }
+
+ private:
+  // ---- setting up -----------------------------------------------------------------------------
+
+  ContactRange<Contact> make_rock() {
+    const Contact law(params_.contact);
+    std::vector<typename Contact::template Stiffness<double>> stiffness;
+    for (const auto& c : geometry_) {
+      stiffness.push_back(law.stiffness(disc(c.bodies.first), disc(c.bodies.second)));
+      uniform_strain_.add(c.frame, law.springs(stiffness.back()), 2 * c.frame.arm_mean,
+                          specimen_.width * specimen_.height);
+    }
+    ContactRange<Contact> rock(law, 0, geometry_, stiffness);
+    forces_.add(geometry_, 0, rock.padded_size());
+    return rock;
+  }
+
+  ContactRange<SmoothPlaten> make_platens() {
+    std::vector<ContactGeometry> touching;
+    if (loading_.has_platens()) touching = platen_contacts(specimen_, discs_);
+    std::vector<SmoothPlaten::Stiffness<double>> stiffness;
+    for (const auto& c : touching) {
+      const Index i = c.bodies.first;
+      const Springs like = rock_.law().springs(rock_.law().stiffness(disc(i), disc(i)));
+      stiffness.push_back(SmoothPlaten::stiffness(like));
+      const double k = stiffness.back().normal;
+      loading_.add_stiffness(static_cast<Side>(c.bodies.second - discs_.size()), k);
+      uniform_strain_.add(c.frame, {.normal = k}, specimen_.radius[i],
+                          specimen_.width * specimen_.height);
+    }
+    ContactRange<SmoothPlaten> platens({}, rock_.padded_size(), touching, stiffness);
+    forces_.add(touching, platens.first_row(), platens.padded_size());
+    platen_geometry_ = std::move(touching);
+    return platens;
+  }
+
+  double largest_frequency() const {
+    FrequencyBound bound(discs_);
+    for (std::size_t c = 0; c < rock_.size(); ++c)
+      bound.add(geometry_[c], rock_.law().springs(rock_.stiffness(c)));
+    for (std::size_t c = 0; c < platens_.size(); ++c)
+      bound.add(platen_geometry_[c], platens_.law().springs(platens_.stiffness(c)));
+    return bound.value();
+  }
+
+  void make_network() {
+    FlowDomains domains = flow_domains(specimen_, geometry_);
+    const Vec2 position =
+        params_.injection.position.value_or(Vec2{specimen_.width / 2, specimen_.height / 2});
+    const Index injection = nearest_domain(domains, position);
+    const Vec2 centre = domains.centre[injection];
+    network_ = Network(std::move(domains), injection, aperture_.rest_width());
+    preset_ = preset_crack(params_.crack, specimen_, geometry_, centre, crack_direction());
+    for (const Index c : preset_) {
+      rock_.break_bond(c);
+      network_.open(c);
+    }
+    if (Pressure::holds_fluid && network_.wet_channels().empty())
+      refuse("crack", "contacts", "0", "at least 1: the fluid needs a crack to enter");
+    stop_if_at_rim();
+  }
+
+  Index nearest_domain(const FlowDomains& domains, Vec2 position) const {
+    const bool inside = position.x > 0 && position.x < specimen_.width && position.y > 0 &&
+                        position.y < specimen_.height;
+    if (!inside || domains.centre.empty())
+      refuse("injection", "position",
+             "[" + to_text(position.x) + ", " + to_text(position.y) + "] m",
+             "inside the specimen, which is " + to_text(specimen_.width) + " m by " +
+                 to_text(specimen_.height) + " m and has " + std::to_string(domains.centre.size()) +
+                 " flow domains");
+    Index nearest = 0;
+    for (Index d = 1; d < domains.centre.size(); ++d)
+      if (norm(domains.centre[d] - position) < norm(domains.centre[nearest] - position))
+        nearest = d;
+    return nearest;
+  }
+
+  Disc disc(Index i) const { return {specimen_.radius[i]}; }
+
+  // ---- one mechanical step --------------------------------------------------------------------
+
+  Relaxed relax(bool settling) {
+    rock_.evaluate(discs_.displacement, forces_.rows(), threads_);
+    platens_.evaluate(discs_.displacement, forces_.rows(), threads_);
+    const std::size_t broken_before = breaks_.size();
+    rock_.break_bonds(discs_.displacement, forces_.rows(), [&](Index contact, Mode mode) {
+      breaks_.push_back({time_, contact, mode, injection_pressure()});
+      network_.open(contact);
+    });
+    const std::size_t broken = breaks_.size() - broken_before;
+    if (broken > 0) stop_if_at_rim();
+    for (const Index i : network_.pushed_discs()) load_disc(i);
+    loading_.step(discs_, forces_, settling);
+    const double largest = motion_.step(discs_, forces_, threads_);
+    stop_if_not_finite(largest);
+    refresh_widths();
+    ++mechanical_steps_;
+    return {largest == 0 ? 0 : largest / mean_contact_force_, static_cast<int>(broken)};
+  }
+
+  void load_disc(Index i) {
+    const Vec2 load = loading_.dead_load(i) + network_.force_on(i);
+    discs_.load[i] = Pack{load.x, load.y, 0, 0};
+  }
+
+  void refresh_widths() {
+    for (const Index c : network_.wet_channels()) {
+      const double compression = rock_.response(c, discs_.displacement).reaction().normal;
+      const double opening = rock_.motion(c, discs_.displacement).opening;
+      network_.set_width(c,
+                         aperture_.width(network_.rest_width(c), max(0.0, compression), opening));
+    }
+  }
+
+  // ---- reasons to stop ------------------------------------------------------------------------
+
+  void stop_if_at_rim() const {
+    if (network_.reached_rim())
+      throw RunStopped("the crack reached the rim of the specimen at t = " + to_text(time_) +
+                       " s: the fluid would leave it there");
+  }
+
+  void stop_if_not_finite(double force) const {
+    if (!std::isfinite(force))
+      throw RunStopped("a force is not a finite number at t = " + to_text(time_) +
+                       " s: the mechanical step is unstable, or the specimen has come apart");
+  }
+
+  // ---- observers ------------------------------------------------------------------------------
+
+  template <class Observer>
+  bool tell_step(Observer& observer, const FluidStep& result) const {
+    const auto answer = [&] {
+      if constexpr (requires { observer.fluid_step(*this, result); })
+        return observer.fluid_step(*this, result);
+      else if constexpr (requires { observer(*this); })
+        return observer(*this);
+    };
+    if constexpr (std::is_void_v<decltype(answer())>) {
+      answer();
+      return true;
+    } else {
+      return answer();
+    }
+  }
+
+  template <class Observer>
+  void tell_break(Observer& observer, const BondBreak& broken) const {
+    if constexpr (requires { observer.bond_break(*this, broken); })
+      observer.bond_break(*this, broken);
+  }
+
+  Params params_;
+  Specimen specimen_;
+  Discs discs_;
+  std::vector<ContactGeometry> geometry_, platen_geometry_;
+  Loading loading_;
+  ForceRows forces_;
+  UniformStrainModulus uniform_strain_;
+  ContactRange<Contact> rock_;
+  ContactRange<SmoothPlaten> platens_;
+  Aperture aperture_;
+  Pressure pressure_;
+  DiscMotion motion_;
+  Network network_;
+  std::vector<Index> preset_;
+  std::vector<BondBreak> breaks_;
+  double time_ = 0, injected_ = 0, rate_ = params_.injection.rate, mean_contact_force_ = 0;
+  long mechanical_steps_ = 0, fluid_steps_ = 0;
+  /// The mean contact force changes slowly, and takes as long to sum as a mechanical step.
+  static constexpr long mean_contact_force_lifetime = 100;
+  long mean_contact_force_until_ = 0;
+  int threads_ = 1;
+};
+
+}  // namespace hfdem

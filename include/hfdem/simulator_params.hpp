@@ -1,0 +1,61 @@
+/// @file
+/// Everything that a run can be told, as a tree: the sections of the parameter file.
+#pragma once
+
+#include <tuple>
+
+#include <hfdem/base/fields.hpp>
+#include <hfdem/mechanics/loading.hpp>
+#include <hfdem/setup/preset_crack.hpp>
+#include <hfdem/state/fluid.hpp>
+#include <hfdem/state/specimen.hpp>
+
+namespace hfdem {
+
+struct Mechanics {
+  double damping = 0.7;
+  double step_fraction = 0.8;
+  double settle_tolerance = 1e-4;
+  int max_settle_steps = 100000;
+
+  static constexpr auto fields() {
+    using P = Mechanics;
+    return std::tuple{
+        Field{"damping", &P::damping, "", Range{0, 1, false, true}, "local damping coefficient"},
+        Field{"step_fraction", &P::step_fraction, "", Range{0, 1, true},
+              "mechanical time step over the longest stable one"},
+        Field{"settle_tolerance", &P::settle_tolerance, "", positive,
+              "largest resultant on a disc over the mean contact force, once settled"},
+        Field{"max_settle_steps", &P::max_settle_steps, "", Range{20},
+              "mechanical steps after which settling gives up"}};
+  }
+};
+
+template <class Contact, class Aperture, class Pressure>
+struct SimulatorParams {
+  typename Contact::Params contact{};
+  typename Aperture::Params aperture{};
+  Loading::Params boundary{};
+  Stress in_situ{};
+  PresetCrack crack{};
+  Injection injection{};
+  Fluid fluid{};
+  Mechanics mechanics{};
+  typename Pressure::Params scheme{};
+
+  static constexpr auto sections() {
+    using P = SimulatorParams;
+    return std::tuple{Section{"contact", &P::contact},   Section{"aperture", &P::aperture},
+                      Section{"boundary", &P::boundary}, Section{"in_situ", &P::in_situ},
+                      Section{"crack", &P::crack},       Section{"injection", &P::injection},
+                      Section{"fluid", &P::fluid},       Section{"mechanics", &P::mechanics},
+                      Section{"scheme", &P::scheme}};
+  }
+
+  /// @throws InvalidParameter naming the field, its value and the allowed range
+  void validate() const {
+    for_each_section(*this, [](std::string_view name, const auto& s) { hfdem::validate(s, name); });
+  }
+};
+
+}  // namespace hfdem

@@ -1,0 +1,158 @@
+/// @file
+/// What a policy must offer. Each concept is a conjunction of named atoms, so that a compiler that
+/// refuses a policy ends its message with the name of what is missing.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include <hfdem/base/fields.hpp>
+#include <hfdem/state/contact.hpp>
+#include <hfdem/state/network.hpp>
+#include <hfdem/state/specimen.hpp>
+#include <hfdem/state/step.hpp>
+
+namespace hfdem {
+
+/// Nested `Params`: an aggregate with documented defaults and a table of its fields.
+template <class P>
+concept has_described_params = std::is_aggregate_v<typename P::Params> &&
+    std::default_initializable<typename P::Params> && Described<typename P::Params>;
+
+/// The policy is made from its parameters.
+template <class P>
+concept constructible_from_params = std::constructible_from<P, const typename P::Params&>;
+
+// ---- contact law ------------------------------------------------------------------------------
+
+/// `Stiffness<T>`: what is fixed per contact, an aggregate of values of type T.
+template <class L>
+concept has_stiffness_record = std::is_aggregate_v<typename L::template Stiffness<double>> &&
+    std::is_aggregate_v<typename L::template Stiffness<Pack>>;
+
+/// `Memory<T>`: what evolves per contact, an aggregate of values of type T, possibly empty.
+template <class L>
+concept has_memory_record = std::is_aggregate_v<typename L::template Memory<double>> &&
+    std::is_aggregate_v<typename L::template Memory<Pack>>;
+
+/// `stiffness(disc, disc)` gives the stiffness of a new contact.
+template <class L>
+concept gives_stiffness_of_two_discs = requires(const L& law, Disc disc) {
+  { law.stiffness(disc, disc) }
+  noexcept->std::same_as<typename L::template Stiffness<double>>;
+};
+
+/// `springs(stiffness)` gives bounds on the tangent stiffness, for the stable time step.
+template <class L>
+concept gives_springs = requires(const L& law,
+                                 const typename L::template Stiffness<double>& stiffness) {
+  { law.springs(stiffness) }
+  noexcept->std::same_as<Springs>;
+};
+
+template <class L, class T>
+concept responds_for_value_type = requires(const L& law,
+                                           const typename L::template Stiffness<T>& stiffness,
+                                           const typename L::template Memory<T>& memory,
+                                           const Motion<T>& motion) {
+  { law.respond(stiffness, memory, motion).reaction() } -> std::same_as<Reaction<T>>;
+  {
+    law.respond(stiffness, memory, motion).memory
+    } -> std::convertible_to<typename L::template Memory<T>>;
+};
+
+/// `respond(stiffness, memory, motion)` gives a response with `reaction()` and the new `memory`,
+/// for one contact (double) and for four (Pack).
+template <class L>
+concept responds_to_motion = responds_for_value_type<L, double> && responds_for_value_type<L, Pack>;
+
+template <class L, class T>
+concept fails_for_value_type = requires(const L& law,
+                                        const typename L::template Stiffness<T>& stiffness,
+                                        const typename L::template Memory<T>& memory,
+                                        const Motion<T>& motion) {
+  { law.failure(stiffness, law.respond(stiffness, memory, motion)) } -> std::same_as<Failure<T>>;
+};
+
+/// `failure(stiffness, response)` says which bonds are over their strength.
+template <class L>
+concept tells_failure = fails_for_value_type<L, double> && fails_for_value_type<L, Pack>;
+
+/// `broken(stiffness)` gives what is left of a contact whose bond has broken.
+template <class L>
+concept gives_broken_stiffness = requires(const L& law,
+                                          const typename L::template Stiffness<double>& stiffness) {
+  { law.broken(stiffness) }
+  noexcept->std::same_as<typename L::template Stiffness<double>>;
+};
+
+/// What the contact loop needs of any law.
+template <class L>
+concept RespondingLaw =
+    has_stiffness_record<L> && has_memory_record<L> && responds_to_motion<L> && gives_springs<L>;
+
+/// A law whose bonds can break.
+template <class L>
+concept BreakableLaw = RespondingLaw<L> && tells_failure<L> && gives_broken_stiffness<L>;
+
+/// The contact law between bonded discs.
+template <class L>
+concept ContactLaw = has_described_params<L> && constructible_from_params<L> &&
+    gives_stiffness_of_two_discs<L> && BreakableLaw<L>;
+
+// ---- aperture law -----------------------------------------------------------------------------
+
+/// `rest_width()` gives the aperture at zero force, w0, m.
+template <class A>
+concept gives_rest_width = requires(const A& law) {
+  { law.rest_width() }
+  noexcept->std::same_as<double>;
+};
+
+/// `width(w0, compression, gap)` gives the hydraulic aperture, m.
+template <class A>
+concept gives_width = requires(const A& law, double value) {
+  { law.width(value, value, value) }
+  noexcept->std::same_as<double>;
+};
+
+template <class A>
+concept ApertureLaw = has_described_params<A> && constructible_from_params<A> &&
+    gives_rest_width<A> && gives_width<A>;
+
+// ---- pressure scheme --------------------------------------------------------------------------
+
+/// `fluid_dt(mechanical_dt)` gives the length of the next fluid step, s.
+template <class S>
+concept gives_fluid_dt = requires(const S& scheme, double dt) {
+  { scheme.fluid_dt(dt) } -> std::same_as<double>;
+};
+
+/// `advance(network, injection, relax)` makes one fluid step, calling `relax()` for each mechanical
+/// step that it wants.
+template <class S>
+concept advances_fluid = requires(S& scheme, Network& network, const Injected& injected,
+                                  Relaxed (&relax)()) {
+  { scheme.advance(network, injected, relax) } -> std::same_as<FluidStep>;
+};
+
+template <class S>
+concept PressureScheme = has_described_params<S> && constructible_from_params<S> &&
+    gives_fluid_dt<S> && advances_fluid<S>;
+
+// ---- neighbour search -------------------------------------------------------------------------
+
+/// Made from a specimen and a reach: the largest gap of a pair, m.
+template <class N>
+concept searches_specimen = std::constructible_from<N, const Specimen&, double>;
+
+/// `for_each_pair(f)` calls f(Pair) for candidate pairs, each once, first < second.
+template <class N>
+concept gives_pairs = requires(const N& search, void (&f)(Pair)) {
+  search.for_each_pair(f);
+};
+
+template <class N>
+concept NeighbourSearch = searches_specimen<N> && gives_pairs<N>;
+
+}  // namespace hfdem

@@ -1,0 +1,192 @@
+/// @file
+/// The fluid network: domains between the discs, a channel at every contact, and which of them
+/// hold fluid.
+///
+/// Source: the paper's Section 2.1 (domains and channels), its Eqs. 2 and 3 (volumes); P. A.
+/// Cundall's domain formulation as in PFC2D.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <span>
+#include <vector>
+
+#include <hfdem/base/vec2.hpp>
+#include <hfdem/state/contact.hpp>
+
+namespace hfdem {
+
+/// A flow channel at a contact: joins the domains to its left and right.
+struct Channel {
+  std::array<Index, 2> domain;  ///< `nothing` for the outside of the specimen
+  double length;                ///< l_p: distance between the two domain centres, m
+};
+
+/// What unit pressure of a domain does to one disc beside it.
+struct Corner {
+  Index domain;
+  Vec2 push;  ///< the chord between the disc's two contact points, turned outwards, m
+};
+
+/// The network's geometry: that of the bonded specimen, for ever (small strain).
+struct FlowDomains {
+  std::vector<Vec2> centre;                  ///< area centroid of each domain, m
+  std::vector<Channel> channels;             ///< one per contact
+  std::vector<Index> channels_begin;         ///< per domain, into `channels_of`
+  std::vector<Index> channels_of;            ///< the channels around each domain
+  std::vector<Index> corners_begin;          ///< per disc, into `corners`
+  std::vector<Corner> corners;               ///< around each disc, counter-clockwise
+  std::vector<Index> discs_begin, discs_of;  ///< the discs around each domain
+};
+
+/// Pressures and widths on the network, and the spreading of fluid through broken contacts.
+///
+/// A contact whose bond is intact is closed. A broken one is *open*; it is *wet* once it connects,
+/// through wet channels, to the injection. Open channels that do not connect wait. A domain beside
+/// a wet channel is wet, the end domains of a crack included.
+class Network {
+ public:
+  Network() = default;
+  /// @param rest_width width of a channel at zero contact force, w0, m
+  Network(FlowDomains geometry, Index injection_domain, double rest_width)
+      : geometry_(std::move(geometry)),
+        injection_domain_(injection_domain),
+        rest_width_(geometry_.channels.size(), rest_width),
+        width_(geometry_.channels.size(), 0),
+        pressure_(geometry_.centre.size(), 0),
+        open_(geometry_.channels.size(), false),
+        wet_channel_(geometry_.channels.size(), false),
+        wet_domain_(geometry_.centre.size(), false),
+        pushed_disc_(geometry_.corners_begin.size() - 1, false) {
+    wet(injection_domain_);
+  }
+
+  const FlowDomains& geometry() const { return geometry_; }
+  Index injection_domain() const { return injection_domain_; }
+  /// Channels that hold fluid, in the order in which they got it.
+  std::span<const Index> wet_channels() const { return wet_channels_; }
+  std::span<const Index> wet_domains() const { return wet_domains_; }
+  /// Discs that touch a wet domain.
+  std::span<const Index> pushed_discs() const { return pushed_discs_; }
+  bool is_open(Index channel) const { return open_[channel]; }
+  bool is_wet(Index channel) const { return wet_channel_[channel]; }
+  /// Whether a wet channel lies on the rim: the fluid would leave the specimen there.
+  bool reached_rim() const { return reached_rim_; }
+
+  double pressure(Index domain) const { return pressure_[domain]; }
+  std::span<const double> pressures() const { return pressure_; }
+  /// Hydraulic aperture w of a channel, m; zero while it is dry.
+  double width(Index channel) const { return width_[channel]; }
+  /// Aperture at zero contact force, w0, m; what is taken as filled when the channel turns wet.
+  double rest_width(Index channel) const { return rest_width_[channel]; }
+
+  void set_width(Index channel, double width) { width_[channel] = width; }
+  void set_pressure(Index domain, double pressure) {
+    assert(wet_domain_[domain]);
+    pressure_[domain] = pressure;
+  }
+
+  /// The channel's bond has broken: it conducts from now on if fluid can reach it, and so do all
+  /// open channels that it connects.
+  void open(Index channel) {
+    open_[channel] = true;
+    for (const Index d : geometry_.channels[channel].domain)
+      if (d != nothing && wet_domain_[d]) return flood(channel);
+  }
+
+  /// V_c, Eq. 2: the volume that the crack has opened, m2 per m... of the channels' length l_p
+  /// times what their width exceeds the filled one.
+  double crack_volume() const {
+    return sum([&](Index c) { return width_[c] - rest_width_[c]; });
+  }
+  /// V_t, Eq. 3: the whole volume of the wet channels, m2.
+  double total_volume() const {
+    return sum([&](Index c) { return width_[c]; });
+  }
+  /// The volume that the wet channels have at zero contact force, m2.
+  double rest_volume() const {
+    return sum([&](Index c) { return rest_width_[c]; });
+  }
+  /// V_d: half the volume of each wet channel beside a domain, m2. They sum up to V_t.
+  double domain_volume(Index domain) const {
+    double volume = 0;
+    for (const Index c : channels_of(domain))
+      if (wet_channel_[c]) volume += geometry_.channels[c].length * width_[c] / 2;
+    return volume;
+  }
+
+  std::span<const Index> channels_of(Index domain) const {
+    return slice(geometry_.channels_begin, geometry_.channels_of, domain);
+  }
+  std::span<const Index> discs_of(Index domain) const {
+    return slice(geometry_.discs_begin, geometry_.discs_of, domain);
+  }
+
+  /// Force of the fluid on a disc, N per m. Neighbouring corners are added first, so that mirror
+  /// images receive mirrored bits.
+  Vec2 force_on(Index disc) const {
+    const auto corners = slice(geometry_.corners_begin, geometry_.corners, disc);
+    Vec2 total;
+    for (std::size_t k = 0; k < corners.size(); k += 2) {
+      Vec2 pair = pressure_[corners[k].domain] * corners[k].push;
+      if (k + 1 < corners.size())
+        pair = pair + pressure_[corners[k + 1].domain] * corners[k + 1].push;
+      total = total + pair;
+    }
+    return total;
+  }
+
+ private:
+  template <class T>
+  static std::span<const T> slice(const std::vector<Index>& begin, const std::vector<T>& of,
+                                  Index i) {
+    return std::span<const T>(of).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
+
+  template <class F>
+  double sum(F&& width_of) const {
+    double volume = 0;
+    for (const Index c : wet_channels_) volume += geometry_.channels[c].length * width_of(c);
+    return volume;
+  }
+
+  void wet(Index domain) {
+    wet_domain_[domain] = true;
+    wet_domains_.push_back(domain);
+    for (const Index disc : discs_of(domain)) {
+      if (pushed_disc_[disc]) continue;
+      pushed_disc_[disc] = true;
+      pushed_discs_.push_back(disc);
+    }
+  }
+
+  void flood(Index start) {
+    std::vector<Index> front{start};
+    while (!front.empty()) {
+      const Index c = front.back();
+      front.pop_back();
+      if (wet_channel_[c]) continue;
+      wet_channel_[c] = true;
+      wet_channels_.push_back(c);
+      width_[c] = rest_width_[c];
+      for (const Index d : geometry_.channels[c].domain) {
+        if (d == nothing) {
+          reached_rim_ = true;
+        } else if (!wet_domain_[d]) {
+          wet(d);
+          for (const Index next : channels_of(d))
+            if (open_[next] && !wet_channel_[next]) front.push_back(next);
+        }
+      }
+    }
+  }
+
+  FlowDomains geometry_;
+  Index injection_domain_ = nothing;
+  std::vector<double> rest_width_, width_, pressure_;
+  std::vector<bool> open_, wet_channel_, wet_domain_, pushed_disc_;
+  std::vector<Index> wet_channels_, wet_domains_, pushed_discs_;
+  bool reached_rim_ = false;
+};
+
+}  // namespace hfdem

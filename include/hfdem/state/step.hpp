@@ -1,0 +1,28 @@
+/// @file
+/// What passes between the simulator and a pressure scheme in a fluid step.
+#pragma once
+
+namespace hfdem {
+
+/// What one mechanical step tells a pressure scheme. Everything is measured at the start of the
+/// step, except the network's widths, which are those of its end.
+struct Relaxed {
+  double unbalanced_ratio;  ///< largest resultant on a disc over the mean contact force
+  int breaks;               ///< bonds broken in this step
+};
+
+/// Injection so far and in the present fluid step, m2 (per m of thickness).
+struct Injected {
+  double total;  ///< up to the end of this step: V_f
+  double step;   ///< in this step
+};
+
+/// How a fluid step went.
+struct FluidStep {
+  int mechanical_steps = 0;
+  bool converged = true;        ///< the scheme's own tolerances were met
+  double volume_error = 0;      ///< |V_f - V_c| / V_f
+  double unbalanced_ratio = 0;  ///< at the last mechanical step
+};
+
+}  // namespace hfdem
