@@ -33,10 +33,7 @@ inline Specimen square_array(const SquareArray& array) {
   Specimen s{.width = array.columns * pitch,
              .height = array.rows * pitch,
              .density = array.density,
-             .centre = {},
-             .radius = {},
-             .bonding_gap = 1e-6 * array.radius,
-             .pairs = {}};
+             .bonding_gap = 1e-6 * array.radius};
   const auto columns = static_cast<Index>(array.columns), rows = static_cast<Index>(array.rows);
   s.radius.assign(std::size_t{columns} * rows, array.radius);
   for (Index r = 0; r < rows; ++r) {

@@ -46,13 +46,13 @@ struct Stress {
 struct Specimen {
   double width = 0, height = 0;  ///< of the box, m
   double density = 0;            ///< of the discs, kg/m3
-  std::vector<Vec2> centre;      ///< m, one per disc
-  std::vector<double> radius;    ///< m, one per disc
+  std::vector<Vec2> centre{};    ///< m, one per disc
+  std::vector<double> radius{};  ///< m, one per disc
   /// Discs bond to each other, and touch a platen, where the gap is at most this, m. The gap that
   /// they have then becomes the reference from which opening is measured.
   double bonding_gap = 0;
   /// Known neighbours, for the search `FixedPairs`; other searches do not need them.
-  std::vector<Pair> pairs;
+  std::vector<Pair> pairs{};
 
   std::size_t size() const { return centre.size(); }
 

@@ -1,0 +1,52 @@
+/// @file
+/// The paper's verification model: a crack driven through a square array by uniform pressure.
+#pragma once
+
+#include <utility>
+
+#include <hfdem/aperture/hyperbolic.hpp>
+#include <hfdem/contact/linear_parallel_bond.hpp>
+#include <hfdem/neighbours/fixed_pairs.hpp>
+#include <hfdem/pressure/uniform.hpp>
+#include <hfdem/setup/square_array.hpp>
+#include <hfdem/simulator.hpp>
+
+#include "support/run_options.hpp"
+
+namespace hfdem::support {
+
+using Kgd = Simulator<LinearParallelBond, HyperbolicAperture, UniformPressure, FixedPairs>;
+
+/// The parameter file's sections.
+struct KgdConfig {
+  SquareArray specimen;
+  Kgd::Params simulator;
+  RunOptions run;
+
+  template <class F>
+  void for_each_section(F&& f) {
+    visit(*this, f);
+  }
+  template <class F>
+  void for_each_section(F&& f) const {
+    visit(*this, f);
+  }
+
+  /// A 40 x 40 array, until its crack is as long for its size as the default one's.
+  static KgdConfig quick() {
+    KgdConfig config;
+    config.specimen.columns = config.specimen.rows = 40;
+    config.run.end_time = 0.2;
+    return config;
+  }
+
+ private:
+  template <class Self, class F>
+  static void visit(Self& self, F& f) {
+    f("specimen", self.specimen);
+    hfdem::for_each_section(self.simulator, f);
+    f("run", self.run);
+  }
+};
+
+}  // namespace hfdem::support

@@ -1,0 +1,153 @@
+/// @file
+/// Everything that a run of the verification model writes.
+#pragma once
+
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include <hfdem/measure/elastic_moduli.hpp>
+
+#include "support/kgd_figures.hpp"
+#include "support/output_folder.hpp"
+#include "support/progress.hpp"
+#include "support/settings.hpp"
+#include "support/summary.hpp"
+
+namespace hfdem::support {
+
+/// An observer of the run: history and breaks as they come, the rest at the end. Whatever ends the
+/// run, what was written stays.
+class KgdResults {
+ public:
+  KgdResults(const OutputFolder& folder, const KgdConfig& config, int threads)
+      : folder_(folder),
+        config_(config),
+        threads_(threads),
+        far_field_(std::fmin(config.simulator.in_situ.xx, config.simulator.in_situ.yy)),
+        history_file_(folder.open("history.csv")),
+        history_(history_file_, config.run.output_interval, far_field_) {}
+
+  /// Call once the specimen has settled.
+  void begin(const Kgd& sim) {
+    moduli_ = moduli(sim);
+    steps_at_start_ = sim.mechanical_steps();
+    watch_ = Stopwatch();
+  }
+
+  void fluid_step(const Kgd& sim, const FluidStep& step) {
+    history_.fluid_step(sim, step);
+    peak_pressure_ = std::fmax(peak_pressure_, sim.injection_pressure());
+    unconverged_ += step.converged ? 0 : 1;
+  }
+
+  /// @param stopped why the run ended before its time; empty if it did not
+  void finish(const Kgd& sim, const std::string& stopped) {
+    const double wall = watch_.seconds();
+    folder_.close(history_file_, "history.csv");
+    std::ofstream profile = folder_.open("profile.csv"), cracks = folder_.open("cracks.csv");
+    observe::write_profile(profile, sim);
+    observe::write_cracks(cracks, sim);
+    folder_.close(profile, "profile.csv");
+    folder_.close(cracks, "cracks.csv");
+    const KgdFigures figures(config_, history_.instants());
+    folder_.write("aperture.svg", figures.aperture());
+    folder_.write("length.svg", figures.length());
+    folder_.write("pressure.svg", figures.pressure());
+    folder_.write("specimen.svg", figures.specimen(sim));
+    folder_.write("summary.json", summarise(sim, wall, stopped).json());
+    text_ = describe(sim, wall);
+  }
+
+  /// The answer in a few lines for a terminal.
+  const std::string& text() const { return text_; }
+
+ private:
+  static measure::ElasticModuli moduli(const Kgd& sim) {
+    try {
+      return measure::elastic_moduli<LinearParallelBond, FixedPairs>(
+          sim.specimen(), sim.params().contact, sim.params().in_situ, sim.params().mechanics);
+    } catch (const RunStopped&) {
+      return {NAN, NAN};  // stresses that break the intact specimen: no elastic answer
+    }
+  }
+
+  Summary summarise(const Kgd& sim, double wall, const std::string& stopped) {
+    const auto shape = measure::crack_shape(sim);
+    const auto steps = sim.mechanical_steps() - steps_at_start_;
+    Summary s;
+    s.set("time_s", sim.time());
+    s.set("full_length_m", shape.full_length());
+    s.set("tip_up_m", shape.tip_up);
+    s.set("tip_down_m", shape.tip_down);
+    s.set("aperture_at_injection_m", shape.aperture);
+    s.set("opening_at_injection_m", shape.opening);
+    s.set("injection_pressure_Pa", sim.injection_pressure());
+    s.set("net_pressure_Pa", sim.injection_pressure() - far_field_);
+    s.set("first_break_pressure_Pa", sim.breaks().empty() ? NAN : sim.breaks().front().pressure);
+    s.set("peak_pressure_Pa", peak_pressure_);
+    s.set("fluid_volume_m2", sim.injected_volume());
+    s.set("crack_volume_m2", sim.network().crack_volume());
+    s.set("broken_bonds", static_cast<long>(sim.breaks().size()));
+    s.set("broken_bonds_off_plane", measure::broken_off_plane(sim));
+    s.set("preset_contacts", static_cast<long>(sim.preset_contacts().size()));
+    s.set("E_Pa", moduli_.young);
+    s.set("poisson_ratio", moduli_.poisson);
+    s.set("rule", config_.simulator.scheme.equilibrium ? "equilibrium" : "paper");
+    s.set("fluid_steps", sim.fluid_steps());
+    s.set("unconverged_fluid_steps", unconverged_);
+    s.set("mechanical_steps", steps);
+    s.set("mechanical_dt_s", sim.mechanical_dt());
+    s.set("wall_s", wall);
+    s.set("particle_steps_per_s",
+          static_cast<double>(sim.discs().size()) * static_cast<double>(steps) / wall);
+    s.set("threads", threads_);
+    if (!stopped.empty()) s.set("stopped", stopped);
+
+    const auto kgd = paper_kgd(config_, sim.time());
+    s.set("paper/holds_for", "the default parameters at t = 0.9 s");
+    s.compare("paper/full_length_m", shape.full_length(), paper::Verification::full_length);
+    s.compare("paper/aperture_at_injection_m", shape.aperture, paper::Verification::aperture);
+    s.set("kgd/E_prime_Pa", paper::Verification::E_prime);
+    s.set("kgd/K_IC_Pa_sqrt_m", paper::Verification::K_IC);
+    s.compare("kgd/full_length_m", shape.full_length(), kgd.full_length());
+    s.compare("kgd/aperture_at_injection_m", shape.aperture, kgd.width);
+    s.compare("kgd/opening_at_injection_m", shape.opening, kgd.width);
+    s.compare("kgd/net_pressure_Pa", sim.injection_pressure() - far_field_, kgd.net_pressure);
+    s.set("kgd/full_length_printed_in_paper_m", paper::Verification::kgd_full_length);
+    s.set("kgd/aperture_printed_in_paper_m", paper::Verification::kgd_aperture);
+    return s;
+  }
+
+  std::string describe(const Kgd& sim, double wall) const {
+    const auto shape = measure::crack_shape(sim);
+    const auto kgd = paper_kgd(config_, sim.time());
+    char text[800];
+    std::snprintf(text, sizeof text,
+                  "t = %.3g s            hfdem     paper, t = 0.9 s   KGD, infinite plane\n"
+                  "crack length     %9.3f m   %9.3f m         %9.3f m\n"
+                  "aperture         %9.1f um  %9.1f um        %9.1f um   (w - w0: %.1f um)\n"
+                  "injection        %9.2f MPa, %.2f MPa above the stress across the crack\n"
+                  "%ld fluid steps, %ld mechanical steps, %.1f s\n",
+                  sim.time(), shape.full_length(), paper::Verification::full_length,
+                  kgd.full_length(), shape.aperture * 1e6, paper::Verification::aperture * 1e6,
+                  kgd.width * 1e6, shape.opening * 1e6, sim.injection_pressure() / 1e6,
+                  (sim.injection_pressure() - far_field_) / 1e6, sim.fluid_steps(),
+                  sim.mechanical_steps() - steps_at_start_, wall);
+    return text;
+  }
+
+  const OutputFolder& folder_;
+  const KgdConfig& config_;
+  int threads_;
+  double far_field_;
+  std::ofstream history_file_;
+  observe::History history_;
+  measure::ElasticModuli moduli_{};
+  long steps_at_start_ = 0, unconverged_ = 0;
+  double peak_pressure_ = 0;
+  Stopwatch watch_;
+  std::string text_;
+};
+
+}  // namespace hfdem::support

@@ -1,0 +1,52 @@
+/// @file
+/// The folder that a run writes into.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace hfdem::support {
+
+/// A file or folder that cannot be written.
+struct OutputFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class OutputFolder {
+ public:
+  /// @throws OutputFailed if the folder cannot be made
+  explicit OutputFolder(const std::string& path) : path_(path) {
+    std::error_code error;
+    std::filesystem::create_directories(path_, error);
+    if (error || !std::filesystem::is_directory(path_))
+      throw OutputFailed("cannot make the folder " + path + ": " +
+                         (error ? error.message() : "a file of this name exists"));
+  }
+
+  /// @throws OutputFailed if the file cannot be opened
+  std::ofstream open(const std::string& name) const {
+    std::ofstream file(path_ / name);
+    if (!file) throw OutputFailed("cannot write " + (path_ / name).string());
+    return file;
+  }
+
+  /// Writes a whole file. @throws OutputFailed if that does not succeed
+  void write(const std::string& name, const std::string& content) const {
+    std::ofstream file = open(name);
+    file << content;
+    close(file, name);
+  }
+
+  /// @throws OutputFailed if anything written to the file was lost
+  void close(std::ofstream& file, const std::string& name) const {
+    file.close();
+    if (!file) throw OutputFailed("could not write all of " + (path_ / name).string());
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace hfdem::support

@@ -1,0 +1,24 @@
+/// @file
+/// Sections of a program's parameter file that are not the simulator's own.
+#pragma once
+
+#include <tuple>
+
+#include <hfdem/base/fields.hpp>
+
+namespace hfdem::support {
+
+/// How long a run is, and how often it writes.
+struct RunOptions {
+  double end_time = 0.9;
+  double output_interval = 1e-4;
+
+  static constexpr auto fields() {
+    using P = RunOptions;
+    return std::tuple{Field{"end_time", &P::end_time, "s", positive, "injection time"},
+                      Field{"output_interval", &P::output_interval, "s", positive,
+                            "time between two rows of history.csv"}};
+  }
+};
+
+}  // namespace hfdem::support
