@@ -37,9 +37,11 @@ class KgdResults {
 
   void fluid_step(const Kgd& sim, const FluidStep& step) {
     history_.fluid_step(sim, step);
-    peak_pressure_ = std::fmax(peak_pressure_, sim.injection_pressure());
+    see_pressure(sim.injection_pressure());
     unconverged_ += step.converged ? 0 : 1;
   }
+
+  void bond_break(const Kgd&, const BondBreak& b) { see_pressure(b.pressure); }
 
   /// @param stopped why the run ended before its time; empty if it did not
   void finish(const Kgd& sim, const std::string& stopped) {
@@ -63,6 +65,8 @@ class KgdResults {
   const std::string& text() const { return text_; }
 
  private:
+  void see_pressure(double pressure) { peak_pressure_ = std::fmax(peak_pressure_, pressure); }
+
   static measure::ElasticModuli moduli(const Kgd& sim) {
     try {
       return measure::elastic_moduli<LinearParallelBond, FixedPairs>(

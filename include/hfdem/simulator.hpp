@@ -97,7 +97,7 @@ class Simulator {
   bool run_until(double end_time, Observers&&... observers) {
     while (time_ + 1e-6 * pressure_.fluid_dt(motion_.dt()) < end_time) {
       const std::size_t told = breaks_.size();
-      const FluidStep result = step();
+      [[maybe_unused]] const FluidStep result = step();
       for (std::size_t b = told; b < breaks_.size(); ++b) (tell_break(observers, breaks_[b]), ...);
       if (!(tell_step(observers, result) & ... & true)) return false;
     }

@@ -14,7 +14,7 @@ namespace hfdem {
 
 struct Mechanics {
   double damping = 0.7;
-  double step_fraction = 0.8;
+  double step_fraction = 0.97;
   double settle_tolerance = 1e-4;
   int max_settle_steps = 100000;
 

@@ -17,7 +17,7 @@ class HeldPressure {
   struct Params {
     double pressure = 0;
     double fluid_dt = 1;
-    double unbalanced_tolerance = 1e-4;
+    double unbalanced_tolerance = 1e-6;
     int max_mechanical_steps = 20000;
 
     static constexpr auto fields() {

@@ -1,0 +1,81 @@
+// The default verification run, with what the tests ask of it.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include <hfdem/hfdem.hpp>
+
+namespace test {
+
+using Kgd = hfdem::Simulator<hfdem::LinearParallelBond, hfdem::HyperbolicAperture,
+                             hfdem::UniformPressure, hfdem::FixedPairs>;
+
+struct Sample {
+  double time, length, opening;
+};
+
+/// The advance of both tips from `contacts` to `contacts + 2` broken ones.
+struct Advance {
+  int contacts;
+  double time, net_pressure;
+};
+
+struct VerificationRun {
+  std::vector<Sample> samples;
+  std::vector<Advance> advances;
+  hfdem::measure::CrackShape end;
+  bool tips_always_equal = true;
+  int off_plane = 0;
+  long mechanical_steps = 0;
+
+  /// Mean of a sampled quantity over t - 0.02 s to t + 0.02 s.
+  double mean(double Sample::*value, double time) const {
+    double sum = 0;
+    int count = 0;
+    for (const Sample& s : samples)
+      if (std::abs(s.time - time) <= 0.02 + 1e-9) sum += s.*value, ++count;
+    return sum / count;
+  }
+};
+
+inline VerificationRun verify(const hfdem::UniformPressure::Params& scheme, double end_time = 0.9) {
+  Kgd sim{hfdem::square_array({}), {.scheme = scheme}};
+  const long settled = sim.mechanical_steps();
+  VerificationRun run;
+  sim.run_until(end_time, [&](const Kgd& s) {
+    const auto shape = hfdem::measure::crack_shape(s);
+    run.samples.push_back({s.time(), shape.full_length(), shape.opening});
+    if (std::abs(shape.tip_up - shape.tip_down) > 1e-9) run.tips_always_equal = false;
+  });
+  const auto breaks = sim.breaks();
+  const double far_field = sim.params().in_situ.xx;
+  int contacts = static_cast<int>(sim.preset_contacts().size());
+  for (std::size_t b = 0; b + 1 < breaks.size(); b += 2, contacts += 2)
+    run.advances.push_back({contacts, breaks[b].time, breaks[b].pressure - far_field});
+  run.end = hfdem::measure::crack_shape(sim);
+  run.off_plane = hfdem::measure::broken_off_plane(sim);
+  run.mechanical_steps = sim.mechanical_steps() - settled;
+  return run;
+}
+
+/// Run once, used by several tests.
+inline const VerificationRun& paper_rule() {
+  static const VerificationRun run = verify({});
+  return run;
+}
+inline const VerificationRun& equilibrium() {
+  static const VerificationRun run = verify({.equilibrium = true});
+  return run;
+}
+
+/// The largest relative deviation met, and where.
+struct Worst {
+  double deviation = 0, at = 0;
+  void see(double ours, double truth, double where) {
+    const double d = std::abs(ours - truth) / std::abs(truth);
+    if (!(d <= deviation)) deviation = d, at = where;
+  }
+};
+
+}  // namespace test
