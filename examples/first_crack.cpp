@@ -3,8 +3,8 @@
 //   build/release/examples/first_crack
 //
 // You should see the crack jump one disc at each tip, again and again, while the pressure falls
-// from 18 MPa towards the 10 MPa that hold it closed:   t = 0.20 s   length 0.26 m   pressure 12.8
-// MPa
+// from 18 MPa towards the 10 MPa that hold it closed. The last line is
+//   t = 0.180 s   length 0.26 m   pressure 12.9 MPa
 #include <cstdio>
 
 #include <hfdem/hfdem.hpp>

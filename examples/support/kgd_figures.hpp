@@ -17,13 +17,6 @@
 
 namespace hfdem::support {
 
-/// A number in a caption: up to four digits, no noise.
-inline std::string in_words(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 /// What a run was, in one sentence for captions.
 inline std::string described(const KgdConfig& c) {
   const auto& p = c.simulator;

@@ -88,7 +88,7 @@ class Simulator {
                              [this] { return relax(false); });
   }
 
-  /// Steps until `end_time`, s, telling observers; see docs/observers.md. An observer is called
+  /// Steps until `end_time`, s, telling observers. An observer is called
   /// after every fluid step as `observer(simulator)` or, where it has one, through its member
   /// `fluid_step(simulator, FluidStep)`; if the answer is a bool, false stops the run. A member
   /// `bond_break(simulator, BondBreak)` is called for every bond.
@@ -298,13 +298,13 @@ class Simulator {
 
   void stop_if_at_rim() const {
     if (network_.reached_rim())
-      throw RunStopped("the crack reached the rim of the specimen at t = " + to_text(time_) +
+      throw RunStopped("the crack reached the rim of the specimen at t = " + in_words(time_) +
                        " s: the fluid would leave it there");
   }
 
   void stop_if_not_finite(double force) const {
     if (!std::isfinite(force))
-      throw RunStopped("a force is not a finite number at t = " + to_text(time_) +
+      throw RunStopped("a force is not a finite number at t = " + in_words(time_) +
                        " s: the mechanical step is unstable, or the specimen has come apart");
   }
 

@@ -84,6 +84,15 @@ inline std::string to_text(double v) {
   return {buffer.data(), end};
 }
 
+/// A measured number in a message: six digits.
+inline std::string in_words(double v) {
+  std::array<char, 32> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), v, std::chars_format::general, 6)
+          .ptr;
+  return {buffer.data(), end};
+}
+
 inline std::string to_text(const Range& range, std::string_view unit) {
   const auto bound = [&](double v) {
     return unit.empty() ? to_text(v) : to_text(v) + " " + std::string(unit);

@@ -53,7 +53,7 @@ ElasticModuli elastic_moduli(const Specimen& specimen, const typename Contact::P
   test.set_in_situ({in_situ.xx, in_situ.yy + raise});
   if (!test.breaks().empty())
     throw RunStopped("bonds broke while the elastic moduli were measured: the in-situ stress is " +
-                     to_text(in_situ.xx) + " Pa and " + to_text(in_situ.yy) + " Pa");
+                     in_words(in_situ.xx) + " Pa and " + in_words(in_situ.yy) + " Pa");
   const Vec2 change = mean_shortening(test.discs()) - before;
   return {raise / change.y, -change.x / change.y};
 }

@@ -68,6 +68,8 @@ class UniformPressure {
 
   double fluid_dt(double) const { return params_.fluid_dt; }
 
+  /// @throws RunStopped if the crack opens far more than was injected: no pressure in the allowed
+  ///   range holds it any more
   template <class Relax>
   FluidStep advance(Network& network, const Injected& injected, Relax&& relax) {
     FluidStep step;
@@ -76,6 +78,7 @@ class UniformPressure {
       const Relaxed relaxed = relax();
       ++step.mechanical_steps;
       step.unbalanced_ratio = relaxed.unbalanced_ratio;
+      stop_if_crack_ran_away(network, injected.total);
       step.volume_error = std::abs(injected.total - network.crack_volume()) / injected.total;
       step.converged =
           step.volume_error <= *params_.volume_tolerance &&
@@ -91,6 +94,14 @@ class UniformPressure {
     const double change = clamp(wanted, -params_.max_pressure_step, params_.max_pressure_step);
     const double pressure = max(0.0, network.pressure(network.injection_domain()) + change);
     for (const Index d : network.wet_domains()) network.set_pressure(d, pressure);
+  }
+
+  static void stop_if_crack_ran_away(const Network& network, double injected) {
+    if (network.crack_volume() > 2 * injected + network.rest_volume())
+      throw RunStopped("the crack ran away from its fluid: it has opened " +
+                       in_words(network.crack_volume()) + " m2 while " + in_words(injected) +
+                       " m2 were injected. Either the specimen is splitting, or scheme.alpha is "
+                       "too large or too small for it");
   }
 
   Params params_;

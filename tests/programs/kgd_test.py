@@ -1,0 +1,187 @@
+"""The program kgd as a user meets it: files, repeatability, errors, exit status.
+
+    python3 tests/programs/kgd_test.py build/release/examples/kgd
+"""
+
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+KGD = sys.argv.pop(1)
+TABLES = ["history.csv", "profile.csv", "cracks.csv"]
+FIGURES = ["aperture.svg", "length.svg", "pressure.svg", "specimen.svg"]
+NUMBERS = """time_s full_length_m tip_up_m tip_down_m aperture_at_injection_m opening_at_injection_m
+    injection_pressure_Pa net_pressure_Pa first_break_pressure_Pa peak_pressure_Pa fluid_volume_m2
+    crack_volume_m2 broken_bonds broken_bonds_off_plane E_Pa poisson_ratio fluid_steps
+    mechanical_steps wall_s particle_steps_per_s threads""".split()
+
+
+class KgdTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return pathlib.Path(self.folder.name) / name
+
+    def run_kgd(self, *options, out="out", status=0):
+        # Waiting threads sleep: other tests want the processor.
+        done = subprocess.run([KGD, "--out", str(self.path(out)), *options], text=True,
+                              capture_output=True,
+                              env={**os.environ, "OMP_WAIT_POLICY": "passive"})
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        return done
+
+    def summary(self, out="out"):
+        return json.loads((self.path(out) / "summary.json").read_text())
+
+    def table(self, name, out="out"):
+        with open(self.path(out) / name, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def check_same_results(self, a, b):
+        for name in TABLES + FIGURES:
+            self.assertEqual((self.path(a) / name).read_bytes(), (self.path(b) / name).read_bytes(), name)
+        one, other = self.summary(a), self.summary(b)
+        for varying in ("wall_s", "particle_steps_per_s", "threads"):
+            del one[varying], other[varying]
+        self.assertEqual(one, other)
+
+    def test_a_quick_run_writes_everything(self):
+        done = self.run_kgd("--quick")
+        self.assertIn("crack length", done.stdout)
+        summary = self.summary()
+        for name in NUMBERS:
+            self.assertIsInstance(summary[name], (int, float), name)
+        self.assertEqual(summary["rule"], "paper")
+        self.assertEqual(summary["paper"]["full_length_m"]["reference"], 0.770)
+        self.assertAlmostEqual(summary["E_Pa"] / 34e9, 1, delta=1e-3)
+        self.assertAlmostEqual(summary["fluid_volume_m2"], 0.5e-4 * 0.2, delta=1e-15)
+        self.assertEqual(summary["broken_bonds_off_plane"], 0)
+        self.assertEqual(summary["tip_up_m"], summary["tip_down_m"])
+        for name in FIGURES:
+            root = xml.etree.ElementTree.parse(self.path("out") / name).getroot()
+            self.assertTrue(root.tag.endswith("svg"))
+
+    def test_the_tables_agree_with_the_summary_and_with_each_other(self):
+        self.run_kgd("--quick", "--quiet")
+        summary, history = self.summary(), self.table("history.csv")
+        profile, cracks = self.table("profile.csv"), self.table("cracks.csv")
+        last = history[-1]
+        for column in ("time_s", "full_length_m", "aperture_at_injection_m", "injection_pressure_Pa",
+                       "crack_volume_m2"):
+            self.assertAlmostEqual(float(last[column]) / summary[column], 1, delta=1e-8)
+        self.assertEqual(len(history), 2000)
+        self.assertTrue(all(row["tip_up_m"] == row["tip_down_m"] for row in history))
+        self.assertEqual(len(cracks), summary["broken_bonds"])
+        self.assertEqual(len(profile), summary["broken_bonds"] + summary["preset_contacts"])
+        self.assertAlmostEqual(sum(0.01 * float(p["opening_m"]) for p in profile)
+                               / summary["crack_volume_m2"], 1, delta=1e-8)
+        self.assertEqual({c["mode"] for c in cracks}, {"tension"})
+        self.assertTrue(all(float(c["length_m"]) == 0.01 for c in cracks))
+
+    def test_the_same_bytes_again_from_its_own_parameters_and_with_two_threads(self):
+        self.run_kgd("--quick", "--quiet", "--set", "scheme.equilibrium=true",
+                     "--set", "run.end_time=0.05", out="first")
+        config = str(self.path("first") / "config.toml")
+        self.run_kgd("--quiet", "--config", config, out="again")
+        self.check_same_results("first", "again")
+        self.assertEqual((self.path("first") / "config.toml").read_bytes(),
+                         (self.path("again") / "config.toml").read_bytes())
+        self.run_kgd("--quiet", "--config", config, "--threads", "2", out="threads")
+        self.check_same_results("first", "threads")
+
+    def test_quiet_prints_nothing_and_progress_stays_off_where_nobody_looks(self):
+        done = self.run_kgd("--quick", "--quiet", "--set", "run.end_time=0.01")
+        self.assertEqual(done.stdout + done.stderr, "")
+
+    def test_every_parameter_of_the_file_can_be_set(self):
+        self.run_kgd("--quick", "--quiet", "--set", "run.end_time=0.001")
+        for line in (self.path("out") / "config.toml").read_text().splitlines():
+            if line.startswith("["):
+                section = line.strip("[]")
+            elif line:
+                key, value = line.split("#")[0].split("=")
+                if section != "run":
+                    self.run_kgd("--quick", "--quiet", "--set", "run.end_time=0.001",
+                                 "--set", f"{section}.{key.strip()}={value.strip()}")
+
+    def test_bad_input_is_refused_with_the_field_the_value_and_the_range(self):
+        for setting, words in {
+            "contact.E=-1": ["contact.E", "-1", "Pa", "greater than 0"],
+            "contact.E=nan": ["contact.E", "nan", "greater than 0"],
+            "mechanics.damping=1": ["mechanics.damping", "1", "less than 1"],
+            "specimen.columns=1": ["specimen.columns", "1", "at least 2"],
+            "specimen.columns=7.5": ["specimen.columns", "7.5", "whole number"],
+            "scheme.equilibrium=2": ["scheme.equilibrium", "2", "true or false"],
+            "boundary.kind=rubber": ["boundary.kind", "rubber", "servo", "frozen", "dead_loads"],
+            "injection.position=[2, 0.1]": ["injection.position", "[2, 0.1]", "inside the specimen"],
+            "injection.position=3": ["injection.position", "3", "[x, y]"],
+            "crack.contacts=0": ["crack.contacts", "0", "at least 1"],
+            "crack.contacts=999": ["crack.contacts", "999", "at most 40"],
+            "contact.Young=1": ["Young", "contact", "tensile_strength"],
+            "rock.E=1": ["rock", "contact", "scheme"],
+            "nonsense": ["nonsense", "section.key=value"],
+        }.items():
+            with self.subTest(setting):
+                done = self.run_kgd("--quick", "--set", setting, status=2)
+                for word in words:
+                    self.assertIn(word, done.stderr)
+                self.assertEqual(done.stdout, "")
+
+    def test_a_bad_file_is_refused_with_its_line(self):
+        file = self.path("bad.toml")
+        for text, words in {
+            "[contact]\nE = 1e9\nF = 2": ["line 3", "F", "contact"],
+            "[contact]\nE = = 2": ["line 2"],
+            "E = 2": ["line 1", "outside of a [section]"],
+            "[contact]\nE = [1, 2, 3]": ["line 2", "contact.E"],
+        }.items():
+            file.write_text(text)
+            done = self.run_kgd("--config", str(file), status=2)
+            for word in words + ["bad.toml"]:
+                self.assertIn(word, done.stderr)
+        self.run_kgd("--config", str(self.path("missing.toml")), status=2)
+
+    def test_the_command_line_itself(self):
+        self.assertEqual(subprocess.run([KGD, "--help"], capture_output=True).returncode, 0)
+        self.assertEqual(subprocess.run([KGD], capture_output=True).returncode, 2)
+        self.run_kgd("--no-such-option", status=2)
+        self.run_kgd("--threads", "0", status=2)
+
+    def test_a_folder_that_cannot_be_written_is_said(self):
+        self.path("file").write_text("in the way")
+        done = self.run_kgd("--quick", out="file/out", status=1)
+        self.assertIn("file/out", done.stderr)
+
+    def test_a_crack_at_the_rim_stops_the_run_and_keeps_what_was_written(self):
+        done = self.run_kgd("--quick", "--set", "run.end_time=2", status=3)
+        self.assertIn("rim", done.stderr)
+        self.assertIn("rim", self.summary()["stopped"])
+        self.assertEqual(self.summary()["broken_bonds"], 36)
+        self.assertGreater(len(self.table("history.csv")), 1000)
+
+    def test_a_crack_that_runs_away_from_its_fluid_is_said(self):
+        for gain in ("5e3", "1e9"):
+            done = self.run_kgd("--quick", "--set", f"scheme.alpha={gain}",
+                                "--set", "scheme.max_pressure_step=1e9", out=gain, status=3)
+            self.assertIn("ran away", done.stderr)
+            self.assertIn("scheme.alpha", done.stderr)
+            self.assertIn("ran away", self.summary(gain)["stopped"])
+
+    def test_other_orientations_and_positions(self):
+        self.run_kgd("--quick", "--quiet", "--set", "in_situ.xx=14e6", "--set", "in_situ.yy=10e6",
+                     "--set", "injection.position=[0.15, 0.25]", "--set", "run.end_time=0.05")
+        for crack in self.table("cracks.csv"):
+            self.assertAlmostEqual(float(crack["y_m"]), 0.25, delta=1e-9)
+        self.assertEqual(self.summary()["broken_bonds_off_plane"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
