@@ -5,8 +5,6 @@ target_compile_options(hfdem_program INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   # No fused multiply-add behind our back: a * b - c * d must stay mirror-symmetric.
   -ffp-contract=off)
-target_compile_definitions(hfdem_program INTERFACE
-  HFDEM_BUILD_FLAGS="$<CONFIG> ${CMAKE_CXX_FLAGS} -ffp-contract=off")
 
 if(HFDEM_OPENMP)
   find_package(OpenMP COMPONENTS CXX)

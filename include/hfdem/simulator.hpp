@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -99,7 +100,9 @@ class Simulator {
       const std::size_t told = breaks_.size();
       [[maybe_unused]] const FluidStep result = step();
       for (std::size_t b = told; b < breaks_.size(); ++b) (tell_break(observers, breaks_[b]), ...);
-      if (!(tell_step(observers, result) & ... & true)) return false;
+      bool go_on = true;
+      ((go_on = tell_step(observers, result) && go_on), ...);
+      if (!go_on) return false;
     }
     return true;
   }

@@ -42,6 +42,9 @@ struct Field {
   Range range;
   std::string_view meaning;
 };
+// clang before 17 deduces no template arguments of aggregates without being told how.
+template <class Params, class T>
+Field(std::string_view, T Params::*, std::string_view, Range, std::string_view) -> Field<Params, T>;
 
 /// A named group of parameters: a section of the parameter file.
 template <class Params, class T>
@@ -49,6 +52,8 @@ struct Section {
   std::string_view name;
   T Params::*member;
 };
+template <class Params, class T>
+Section(std::string_view, T Params::*) -> Section<Params, T>;
 
 /// Specialise for an enumeration to give its values' names, in order.
 template <class Enum>
@@ -121,7 +126,11 @@ void check_range(std::string_view section, std::string_view name, std::string_vi
   } else if constexpr (std::is_same_v<T, Vec2>) {
     check_range(section, name, unit, range, value.x);
     check_range(section, name, unit, range, value.y);
-  } else if constexpr (!std::is_enum_v<T> && !std::is_same_v<T, bool>) {
+  } else if constexpr (std::is_enum_v<T>) {
+    const auto place = static_cast<std::size_t>(value);
+    if (place >= names_of<T>.size())
+      refuse(section, name, std::to_string(place), "one of its named values");
+  } else if constexpr (!std::is_same_v<T, bool>) {
     const double number = value;
     if (!std::isfinite(number) || !range.contains(number)) {
       const std::string shown =

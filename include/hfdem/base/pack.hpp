@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 // Without AVX both compilers warn that packs would be passed differently between object files built
@@ -76,6 +77,15 @@ inline void transpose(Pack& a, Pack& b, Pack& c, Pack& d) {
   d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
+/// A record whose members are all of its value type.
+template <class Four>
+inline constexpr bool holds_only_packs = [] {
+  return []<std::size_t... I>(std::index_sequence<I...>) {
+    return requires { Four{(static_cast<void>(I), Pack{})...}; };
+  }
+  (std::make_index_sequence < std::is_empty_v<Four> ? 0 : sizeof(Four) / sizeof(Pack) > {});
+}();
+
 /// A column of records, `Record<double>` each, stored four to a block as `Record<Pack>`: the loop
 /// reads whole blocks, everything else reads and writes single records.
 /// @tparam Record an aggregate template whose members are all of its value type.
@@ -85,9 +95,8 @@ class PackedColumn {
   using One = Record<double>;
   using Four = Record<Pack>;
   static constexpr std::size_t members = std::is_empty_v<One> ? 0 : sizeof(One) / sizeof(double);
-  static_assert(members == 0 || (sizeof(One) == members * sizeof(double) &&
-                                 sizeof(Four) == members * sizeof(Pack)),
-                "a packed record must consist of values of its value type only");
+  static_assert(holds_only_packs<Four>,
+                "the members of a packed record must all be of its value type");
 
   PackedColumn() = default;
   /// @param size number of records, a multiple of `pack_width`; all start as zeros.

@@ -7,6 +7,7 @@
 /// pass looks at the few blocks concerned.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -24,7 +25,6 @@ class ContactRange {
  public:
   using Stiffness = typename Law::template Stiffness<double>;
   using Memory = typename Law::template Memory<double>;
-  using Response = typename Law::template Response<double>;
 
   /// @param first_row index of this range's first force row; a multiple of `pack_width`
   ContactRange(const Law& law, std::size_t first_row, std::span<const ContactGeometry> geometry,
@@ -66,7 +66,7 @@ class ContactRange {
     return frame_[c].motion(d[0], d[1], d[2], d[3]);
   }
   /// The present response of one contact; changes nothing.
-  Response response(std::size_t c, std::span<const Pack> displacement) const {
+  auto response(std::size_t c, std::span<const Pack> displacement) const {
     return law_.respond(stiffness_[c], memory_[c], motion(c, displacement));
   }
 

@@ -128,17 +128,28 @@ concept gives_fluid_dt = requires(const S& scheme, double dt) {
   { scheme.fluid_dt(dt) } -> std::same_as<double>;
 };
 
-/// `advance(network, injection, relax)` makes one fluid step, calling `relax()` for each mechanical
+/// `holds_fluid` says whether the scheme needs a crack to put fluid into.
+template <class S>
+concept says_whether_it_holds_fluid = requires {
+  { S::holds_fluid } -> std::convertible_to<bool>;
+};
+
+/// Stands for what the simulator passes: some callable, not a function.
+struct SomeRelax {
+  Relaxed operator()() const;
+};
+
+/// `advance(network, injected, relax)` makes one fluid step, calling `relax()` for each mechanical
 /// step that it wants.
 template <class S>
 concept advances_fluid = requires(S& scheme, Network& network, const Injected& injected,
-                                  Relaxed (&relax)()) {
+                                  SomeRelax relax) {
   { scheme.advance(network, injected, relax) } -> std::same_as<FluidStep>;
 };
 
 template <class S>
 concept PressureScheme = has_described_params<S> && constructible_from_params<S> &&
-    gives_fluid_dt<S> && advances_fluid<S>;
+    says_whether_it_holds_fluid<S> && gives_fluid_dt<S> && advances_fluid<S>;
 
 // ---- neighbour search -------------------------------------------------------------------------
 
@@ -146,9 +157,14 @@ concept PressureScheme = has_described_params<S> && constructible_from_params<S>
 template <class N>
 concept searches_specimen = std::constructible_from<N, const Specimen&, double>;
 
+/// Stands for what the simulator passes: some callable, not a function.
+struct SomePairVisitor {
+  void operator()(Pair) const;
+};
+
 /// `for_each_pair(f)` calls f(Pair) for candidate pairs, each once, first < second.
 template <class N>
-concept gives_pairs = requires(const N& search, void (&f)(Pair)) {
+concept gives_pairs = requires(const N& search, SomePairVisitor f) {
   search.for_each_pair(f);
 };
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cassert>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <hfdem/base/vec2.hpp>

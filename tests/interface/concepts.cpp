@@ -1,0 +1,145 @@
+/// @file
+/// The concepts, atom by atom: what each accepts, and that it refuses a model that lacks one atom.
+#include <initializer_list>
+
+#include <hfdem/aperture/hyperbolic.hpp>
+#include <hfdem/contact/linear_parallel_bond.hpp>
+#include <hfdem/contact/smooth_platen.hpp>
+#include <hfdem/neighbours/fixed_pairs.hpp>
+#include <hfdem/pressure/dry.hpp>
+#include <hfdem/pressure/held.hpp>
+#include <hfdem/pressure/uniform.hpp>
+#include <hfdem/state/concepts.hpp>
+
+#include "models.hpp"
+
+namespace {
+
+using namespace models;
+
+/// One bit for every atom that does not hold.
+constexpr unsigned lacking(std::initializer_list<bool> atoms_that_hold) {
+  unsigned bits = 0, bit = 1;
+  for (const bool holds : atoms_that_hold) {
+    if (!holds) bits |= bit;
+    bit *= 2;
+  }
+  return bits;
+}
+
+// ---- the policies of the library --------------------------------------------------------------
+
+static_assert(ContactLaw<LinearParallelBond>);
+static_assert(ApertureLaw<HyperbolicAperture>);
+static_assert(PressureScheme<UniformPressure> && PressureScheme<HeldPressure>);
+static_assert(PressureScheme<Dry>);
+static_assert(NeighbourSearch<FixedPairs>);
+
+static_assert(RespondingLaw<SmoothPlaten>, "the contact loop runs over platens too");
+static_assert(!BreakableLaw<SmoothPlaten>, "but they have no bonds");
+static_assert(!ContactLaw<HyperbolicAperture> && !ContactLaw<UniformPressure> && !ContactLaw<int>);
+static_assert(!ApertureLaw<LinearParallelBond> && !ApertureLaw<Dry> && !ApertureLaw<int>);
+static_assert(!PressureScheme<HyperbolicAperture> && !PressureScheme<FixedPairs>);
+static_assert(!NeighbourSearch<Dry> && !NeighbourSearch<Specimen>);
+
+// ---- contact law ------------------------------------------------------------------------------
+
+enum LawAtom : unsigned {
+  law_params = 1,
+  law_from_params = 2,
+  stiffness_of_two_discs = 4,
+  stiffness_record = 8,
+  memory_record = 16,
+  response = 32,
+  springs = 64,
+  failure = 128,
+  broken = 256
+};
+
+template <class L>
+constexpr unsigned law_lacks = lacking({has_described_params<L>, constructible_from_params<L>,
+                                        gives_stiffness_of_two_discs<L>, has_stiffness_record<L>,
+                                        has_memory_record<L>, responds_to_motion<L>,
+                                        gives_springs<L>, tells_failure<L>,
+                                        gives_broken_stiffness<L>});
+
+/// The law lacks these atoms and no other, and is refused for it.
+template <class L, LawAtom... atoms>
+constexpr bool incomplete_law = law_lacks<L> == (0 | ... | atoms) && !ContactLaw<L>;
+
+static_assert(law_lacks<Law> == 0 && ContactLaw<Law>);
+static_assert(incomplete_law<WithoutFields<Law>, law_params>);
+static_assert(incomplete_law<WithParams<Law, ParamsWithConstructor>, law_params>);
+static_assert(incomplete_law<WithParams<Law, ParamsWithoutDefaults>, law_params>);
+static_assert(incomplete_law<MadeFromNothing<Law>, law_from_params>);
+static_assert(incomplete_law<LawWithoutStiffness, stiffness_of_two_discs>);
+static_assert(incomplete_law<LawWithClosedStiffness, stiffness_record>);
+static_assert(incomplete_law<LawWithClosedMemory, memory_record>);
+static_assert(incomplete_law<LawWithoutReaction, response>);
+static_assert(incomplete_law<ScalarLaw, response, failure>);
+static_assert(incomplete_law<LawWithoutSprings, springs>);
+static_assert(incomplete_law<LawWithThrowingSprings, springs>);
+static_assert(incomplete_law<LawWithoutFailure, failure>);
+static_assert(incomplete_law<LawWithoutBroken, broken>);
+
+static_assert(!RespondingLaw<LawWithoutSprings> && !RespondingLaw<LawWithoutReaction>);
+static_assert(!RespondingLaw<LawWithClosedStiffness> && !RespondingLaw<LawWithClosedMemory>);
+static_assert(RespondingLaw<LawWithoutFailure> && !BreakableLaw<LawWithoutFailure>);
+static_assert(RespondingLaw<LawWithoutBroken> && !BreakableLaw<LawWithoutBroken>);
+static_assert(BreakableLaw<MadeFromNothing<Law>>, "the loop does not care where a law comes from");
+
+// ---- aperture law -----------------------------------------------------------------------------
+
+enum ApertureAtom : unsigned {
+  aperture_params = 1,
+  aperture_from_params = 2,
+  rest_width = 4,
+  width = 8
+};
+
+template <class A>
+constexpr unsigned aperture_lacks = lacking({has_described_params<A>, constructible_from_params<A>,
+                                             gives_rest_width<A>, gives_width<A>});
+
+template <class A, ApertureAtom atom>
+constexpr bool incomplete_aperture = aperture_lacks<A> == atom && !ApertureLaw<A>;
+
+static_assert(aperture_lacks<Aperture> == 0 && ApertureLaw<Aperture>);
+static_assert(incomplete_aperture<WithoutFields<Aperture>, aperture_params>);
+static_assert(incomplete_aperture<MadeFromNothing<Aperture>, aperture_from_params>);
+static_assert(incomplete_aperture<ApertureWithoutRestWidth, rest_width>);
+static_assert(incomplete_aperture<ApertureWithoutWidth, width>);
+
+// ---- pressure scheme --------------------------------------------------------------------------
+
+enum SchemeAtom : unsigned {
+  scheme_params = 1,
+  scheme_from_params = 2,
+  fluid_dt = 4,
+  advance = 8,
+  fluid = 16
+};
+
+template <class S>
+constexpr unsigned scheme_lacks = lacking({has_described_params<S>, constructible_from_params<S>,
+                                           gives_fluid_dt<S>, advances_fluid<S>,
+                                           says_whether_it_holds_fluid<S>});
+
+template <class S, SchemeAtom atom>
+constexpr bool incomplete_scheme = scheme_lacks<S> == atom && !PressureScheme<S>;
+
+static_assert(scheme_lacks<Scheme> == 0 && PressureScheme<Scheme>);
+static_assert(incomplete_scheme<WithoutFields<Scheme>, scheme_params>);
+static_assert(incomplete_scheme<MadeFromNothing<Scheme>, scheme_from_params>);
+static_assert(incomplete_scheme<SchemeWithoutFluidDt, fluid_dt>);
+static_assert(incomplete_scheme<SchemeWithoutAdvance, advance>);
+static_assert(incomplete_scheme<SchemeWithoutWord, fluid>);
+
+// ---- neighbour search -------------------------------------------------------------------------
+
+static_assert(searches_specimen<Search> && gives_pairs<Search> && NeighbourSearch<Search>);
+static_assert(!searches_specimen<SearchWithoutReach> && gives_pairs<SearchWithoutReach>);
+static_assert(searches_specimen<SearchWithoutPairs> && !gives_pairs<SearchWithoutPairs>);
+static_assert(!NeighbourSearch<SearchWithoutReach> && !NeighbourSearch<SearchWithoutPairs>);
+
+}  // namespace

@@ -1,0 +1,22 @@
+/// @file
+/// A simulator of the least policies that the concepts accept. It compiles as it stands, so the
+/// concepts ask for all that the simulator uses; with any faulty policy in its place it must not.
+#include <hfdem/simulator.hpp>
+
+#include "models.hpp"
+
+#ifndef CONTACT
+#define CONTACT Law
+#endif
+#ifndef APERTURE
+#define APERTURE Aperture
+#endif
+#ifndef PRESSURE
+#define PRESSURE Scheme
+#endif
+#ifndef NEIGHBOURS
+#define NEIGHBOURS Search
+#endif
+
+using namespace models;
+template class hfdem::Simulator<CONTACT, APERTURE, PRESSURE, NEIGHBOURS>;
