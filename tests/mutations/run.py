@@ -1,0 +1,93 @@
+"""Shows that the tests guard the physics: puts every constant and law term off by about 5 % (or
+drops it), one at a time, and sees a test fail.
+
+    python3 tests/mutations/run.py            all of them, some minutes
+    python3 tests/mutations/run.py platen     those whose name contains a word
+
+Works on a copy of the headers; exit status 1 if a fault stays unseen or no longer applies.
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BOND = "contact/linear_parallel_bond.hpp"
+
+# name, header, what stands there, what a careless hand writes, the tests that must see it
+MUTATIONS = [
+    ("normal stiffness of the particle", BOND, "{slenderness * E_,", "{1.05 * slenderness * E_,", "laws/parallel_bond"),
+    ("normal stiffness of the bond", BOND, "slenderness * bond_E_,", "1.05 * slenderness * bond_E_,", "laws/parallel_bond"),
+    ("shear stiffness of the particle", BOND, "shear_per_normal_(1 / p.st", "shear_per_normal_(1.05 / p.st", "laws/parallel_bond"),
+    ("shear stiffness of the bond", BOND, "bond_shear_per_normal_(1 / p", "bond_shear_per_normal_(1.05 / p", "laws/parallel_bond"),
+    ("moment stiffness of the bond", BOND, "(1.0 / 3.0) * k.bond", "(1.05 / 3.0) * k.bond", "laws/parallel_bond"),
+    ("tension of the linear part", BOND, "max(T{}, -(k.normal", "max(T(-1e9 + T{}), -(k.normal", "laws/parallel_bond"),
+    ("friction", BOND, "friction_(p.friction)", "friction_(1.05 * p.friction)", "laws/parallel_bond"),
+    ("tensile strength", BOND, "tensile_strength_(p.te", "tensile_strength_(1.05 * p.te", "laws/bond_strength"),
+    ("moment in the tensile stress", BOND, "(3.0 * moment_factor_)", "(3.15 * moment_factor_)", "laws/bond_strength"),
+    ("cohesion", BOND, "cohesion_(p.cohesion)", "cohesion_(1.05 * p.cohesion)", "laws/bond_strength"),
+    ("friction angle", BOND, "p.friction_angle * std", "1.05 * p.friction_angle * std", "laws/bond_strength"),
+    ("bond radius", BOND, "std::fmin(a.radius, b.radius)", "0.5 * (a.radius + b.radius)", "laws/parallel_bond"),
+    ("aperture under compression", "aperture/hyperbolic.hpp", "w0 * F0_ / (", "w0 * 1.05 * F0_ / (", "laws/aperture"),
+    ("aperture of an open channel", "aperture/hyperbolic.hpp", "w0 + (gap > 0 ? gap : 0)", "w0 + 1.05 * (gap > 0 ? gap : 0)", "laws/aperture"),
+    ("stiffness of the platens", "contact/smooth_platen.hpp", "return {2 * contact", "return {2.1 * contact", "laws/smooth_platen"),
+    ("strain of the platens' half cells", "contact/smooth_platen.hpp", "return {2 * contact", "return {1 * contact", "physics/closed_forms"),
+    ("push of the fluid", "setup/flow_domains.hpp", "-left_of(chord)", "-1.05 * left_of(chord)", "loops/flow_domains"),
+    ("length of a channel", "setup/flow_domains.hpp", "length = norm(", "length = 1.05 * norm(", "loops/flow_domains"),
+    ("volume of the crack", "state/network.hpp", "width_[c] - rest_width_[c]; });", "width_[c]; });", "loops/network"),
+    ("volume of a domain", "state/network.hpp", "* width_[c] / 2;", "* width_[c] / 1.9;", "loops/network"),
+    ("gain of the pressure", "pressure/uniform.hpp", "params_.alpha *", "1.05 * params_.alpha *", "schemes/uniform_pressure"),
+    ("injected volume", "simulator.hpp", "rate_ * dt;", "1.05 * rate_ * dt;", "schemes/balances"),
+    ("mass of a disc", "state/discs.hpp", "s.density * std", "1.05 * s.density * std", "loops/disc_motion"),
+    ("inertia of a disc", "state/discs.hpp", "radius[disc] / 2;", "radius[disc] / 2.1;", "loops/disc_motion"),
+    ("damping", "mechanics/motion.hpp", "damping_ * abs(pull)", "1.05 * damping_ * abs(pull)", "loops/disc_motion"),
+    ("damping in the stable step", "mechanics/stable_step.hpp", "std::sqrt(1 + damping)", "1", "loops/stable_step"),
+    ("in-situ force on a side", "mechanics/loading.hpp", "stress_.xx * height_", "1.05 * stress_.xx * height_", "loops/loading"),
+    ("coefficient of the KGD length", "analytic/kgd.hpp", "2 * std::numbers::sqrt2", "2.1 * std::numbers::sqrt2", "physics/closed_forms"),
+    ("K' of the KGD solution", "analytic/kgd.hpp", "return 4 * std::sqrt", "return 4.2 * std::sqrt", "physics/closed_forms"),
+]
+
+FLAGS = "-std=c++20 -O1 -w -ffp-contract=off -I/usr/include/eigen3".split()
+
+
+def passes(include, test, folder):
+    """Whether the test program of one source file builds against these headers and passes."""
+    program = folder / "test"
+    sources = [ROOT / "tests" / "main.cpp", ROOT / "tests" / f"{test}.cpp"]
+    build = [os.environ.get("CXX", "g++"), *FLAGS, f"-I{include}", f"-I{ROOT / 'tests'}",
+             f"-I{(ROOT / 'tests' / test).parent}", *map(str, sources), "-o", str(program)]
+    subprocess.run(build, check=True)
+    return subprocess.run([str(program)], capture_output=True).returncode == 0
+
+
+def main():
+    wanted = sys.argv[1] if len(sys.argv) > 1 else ""
+    unseen, sound = [], {}
+    for name, header, right, wrong, test in MUTATIONS:
+        if wanted not in name:
+            continue
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = pathlib.Path(temporary)
+            include = folder / "include"
+            shutil.copytree(ROOT / "include", include)
+            if test not in sound:
+                sound[test] = passes(include, test, folder)
+            file = include / "hfdem" / header
+            text = file.read_text()
+            if text.count(right) != 1 or not sound[test]:
+                verdict = "DOES NOT APPLY" if sound[test] else "TEST FAILS ANYWAY"
+            else:
+                file.write_text(text.replace(right, wrong))
+                verdict = "NOT SEEN" if passes(include, test, folder) else "seen"
+        print(f"{verdict:18} {name} ({header}, by tests/{test}.cpp)", flush=True)
+        if verdict != "seen":
+            unseen.append(name)
+    print(f"{len(unseen)} of the faults not seen" if unseen else "every fault was seen")
+    return 1 if unseen else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
