@@ -283,10 +283,7 @@ class Simulator {
     return {largest == 0 ? 0 : largest / mean_contact_force_, static_cast<int>(broken)};
   }
 
-  void load_disc(Index i) {
-    const Vec2 load = loading_.dead_load(i) + network_.force_on(i);
-    discs_.load[i] = Pack{load.x, load.y, 0, 0};
-  }
+  void load_disc(Index i) { discs_.load[i] = loading_.dead_load(i) + network_.force_on(i); }
 
   void refresh_widths() {
     for (const Index c : network_.wet_channels()) {

@@ -2,7 +2,9 @@
 // geometry must neither make nor lose force, torque or energy.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <numeric>
 
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/state/contact.hpp>
@@ -31,27 +33,33 @@ struct Body {
 };
 using Both = std::array<Body, 2>;
 
-Pack difference_row(const Both& moved) {
-  const auto row = [](const Body& b) { return Pack{b.xy.x, b.xy.y, b.turn, b.turn}; };
-  return row(moved[1]) + hfdem::flipped(row(moved[0]));
+/// Four lanes; as numbers, because functions of this file may be called without being inlined, and
+/// packs are passed differently with and without AVX.
+using Row = std::array<double, 4>;
+
+Row difference_row(const Both& moved) {
+  const auto& [first, second] = moved;
+  const Pack row_first{first.xy.x, first.xy.y, first.turn, first.turn};
+  const Pack row_second{second.xy.x, second.xy.y, second.turn, second.turn};
+  return std::bit_cast<Row>(row_second + hfdem::flipped(row_first));
 }
 
 hfdem::Motion<double> motion_of(const hfdem::Frame<double>& frame, const Both& moved) {
-  const Pack d = difference_row(moved);
-  return frame.motion(d[0], d[1], d[2], d[3]);
+  const auto [dx, dy, rotation, rotation_sum] = difference_row(moved);
+  return frame.motion(dx, dy, rotation, rotation_sum);
 }
 
-Pack force_row(const hfdem::Frame<double>& frame, const hfdem::Reaction<double>& reaction) {
-  double x, y, torque_difference, torque_sum;
-  frame.force(reaction, x, y, torque_difference, torque_sum);
-  return Pack{x, y, torque_difference, torque_sum};
+Row force_row(const hfdem::Frame<double>& frame, const hfdem::Reaction<double>& reaction) {
+  Row row;
+  frame.force(reaction, row[0], row[1], row[2], row[3]);
+  return row;
 }
 
 /// The forces and torques on both discs.
 Both loads_of(const hfdem::Frame<double>& frame, const hfdem::Reaction<double>& reaction) {
-  const auto load = [](const Pack& row) { return Body{{row[0], row[1]}, row[2] + row[3]}; };
-  const Pack row = force_row(frame, reaction);
-  return {load(hfdem::flipped(row)), load(row)};
+  const auto load = [](const Row& row) { return Body{{row[0], row[1]}, row[2] + row[3]}; };
+  const Row row = force_row(frame, reaction);
+  return {load(std::bit_cast<Row>(hfdem::flipped(std::bit_cast<Pack>(row)))), load(row)};
 }
 
 // No slip: what is loaded elastically must come back.
@@ -148,11 +156,12 @@ TEST_CASE("force row and difference row do the work of reaction and motion") {
     const auto frame = frame_along(turned({1, 0}, random(-3.2, 3.2)));
     const Both moved = pressed_discs({frame.normal_x, frame.normal_y}, random);
     const hfdem::Reaction<double> reaction{random(1e3, 1e5), random(1e3, 1e5), random(10, 1e2)};
-    const Pack power = force_row(frame, reaction) * difference_row(moved);
+    const Row force = force_row(frame, reaction), difference = difference_row(moved);
     const auto motion = motion_of(frame, moved);
     const double expected = reaction.normal * motion.opening + reaction.shear * motion.shear -
                             reaction.moment * motion.rotation;
-    CHECK(power[0] + power[1] + power[2] + power[3] == near(expected).scale(0.1));
+    const double work = std::inner_product(force.begin(), force.end(), difference.begin(), 0.0);
+    CHECK(work == near(expected).scale(0.1));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include <hfdem/base/pack.hpp>
 #include <hfdem/mechanics/motion.hpp>
 
 #include <doctest/doctest.h>
@@ -53,7 +54,7 @@ struct Column {
 
 TEST_CASE("a constant force without damping accelerates evenly") {
   Column column(1, 0);
-  column.discs.load[0] = Pack{6, -3, 0, 0};
+  column.discs.load[0] = hfdem::Vec2{6, -3};
   CHECK(column.motion.dt() == dt);
   constexpr int steps = 50;
   for (int n = 0; n < steps; ++n) CHECK(column.step() == near(std::sqrt(6.0 * 6 + 3 * 3)));
@@ -87,7 +88,7 @@ TEST_CASE("a torque is the sum of both its lanes and turns the disc by its inert
 
 TEST_CASE("a disc at rest without force stays at rest, in every direction of its own") {
   Column column(2, 0.7);
-  column.discs.load[1] = Pack{5, 0, 0, 0};
+  column.discs.load[1] = hfdem::Vec2{5, 0};
   for (int n = 0; n < 20; ++n) column.step();
   for (std::size_t lane = 0; lane < 4; ++lane) {
     CHECK(column.displacement(0)[lane] == 0);
@@ -101,13 +102,13 @@ TEST_CASE("damping takes its part of a force that drives, and adds it to one tha
   const double gain = 6 / mass * dt;  // of velocity in a step without damping
 
   Column driven(1, d);  // from rest, where there is no direction to damp: the first step is free
-  driven.discs.load[0] = Pack{6, -6, 0, 0};
+  driven.discs.load[0] = hfdem::Vec2{6, -6};
   for (int n = 0; n < steps; ++n) driven.step();
   CHECK(driven.velocity(0)[0] == near(gain * (1 + (steps - 1) * (1 - d))));
   CHECK(driven.velocity(0)[1] == near(-gain * (1 + (steps - 1) * (1 - d))));
 
   Column braked(1, d);
-  braked.discs.load[0] = Pack{6, -6, 0, 0};
+  braked.discs.load[0] = hfdem::Vec2{6, -6};
   const double start = 100 * gain;
   braked.discs.velocity[0] = Pack{-start, start, 0, 0};
   for (int n = 0; n < steps; ++n) braked.step();
@@ -142,7 +143,7 @@ TEST_CASE("each swing on a spring keeps sqrt((1 - d) / (1 + d)) of its amplitude
     };
     while (moves_on()) {
       furthest = std::abs(column.displacement(0)[0]);
-      column.discs.load[0] = Pack{-k * column.displacement(0)[0], 0, 0, 0};
+      column.discs.load[0] = hfdem::Vec2{-k * column.displacement(0)[0], 0};
       column.step();
     }
     amplitude *= std::sqrt((1 - d) / (1 + d));
@@ -154,8 +155,8 @@ TEST_CASE("a step tells the largest resultant, wherever it is") {
   constexpr std::size_t count = 700;  // more discs than one thread takes at a time
   for (const std::size_t strongest : {0U, 255U, 256U, 699U}) {
     Column column(count, 0.7);
-    for (std::size_t i = 0; i < count; ++i) column.discs.load[i] = Pack{1, 1, 0, 0};
-    column.discs.load[strongest] = Pack{-3, 4, 0, 0};
+    for (std::size_t i = 0; i < count; ++i) column.discs.load[i] = hfdem::Vec2{1, 1};
+    column.discs.load[strongest] = hfdem::Vec2{-3, 4};
     CHECK(column.step() == near(5));
   }
 }
@@ -167,7 +168,7 @@ TEST_CASE("a step tells when any force or torque is not a finite number") {
     for (const std::size_t disc : {0U, 255U, 298U})
       for (std::size_t lane = 0; lane < 4; ++lane) {
         Column column(count, 0.7);
-        column.discs.load[count - 1] = Pack{2, 1, 0, 0};
+        column.discs.load[count - 1] = hfdem::Vec2{2, 1};
         column.forces.rows()[disc][lane] = bad;
         CHECK_FALSE(std::isfinite(column.step()));
       }
@@ -175,7 +176,7 @@ TEST_CASE("a step tells when any force or torque is not a finite number") {
 
 TEST_CASE("platens are not moved by forces") {
   Column column(2, 0.7);
-  column.discs.load[0] = Pack{2, 1, 0, 0};
+  column.discs.load[0] = hfdem::Vec2{2, 1};
   column.step();
   for (const hfdem::Side side : hfdem::all_sides)
     for (std::size_t lane = 0; lane < 4; ++lane)

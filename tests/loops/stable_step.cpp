@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <hfdem/base/pack.hpp>
 #include <hfdem/mechanics/motion.hpp>
 #include <hfdem/mechanics/stable_step.hpp>
 #include <hfdem/setup/square_array.hpp>

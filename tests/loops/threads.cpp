@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <hfdem/aperture/hyperbolic.hpp>
+#include <hfdem/base/pack.hpp>
 #include <hfdem/base/parallel.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
@@ -36,9 +37,9 @@ std::vector<std::uint64_t> state(const Kgd& sim) {
 }
 
 std::vector<std::uint64_t> state_after_run(int threads) {
-  Kgd sim(hfdem::square_array(40, 40, 5e-3), {.injection = {.rate = 5e-4}});
+  Kgd sim(hfdem::square_array(50, 50, 5e-3), {.injection = {.rate = 1e-3}});
   sim.use_threads(threads);
-  for (int n = 0; n < 60; ++n) sim.step();
+  for (int n = 0; n < 24; ++n) sim.step();
   CHECK(sim.breaks().size() >= 4);
   return state(sim);
 }

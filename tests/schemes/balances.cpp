@@ -125,8 +125,8 @@ TEST_CASE("the discs beside the crack feel its pressure") {
   for (int n = 0; n < 10; ++n) sim.step();
   // The middle of the slit, between (9, 10) and (10, 10): two chords' worth of pressure.
   for (const auto& [disc, side] : {std::pair{10 * 20 + 9, -1.0}, std::pair{10 * 20 + 10, 1.0}}) {
-    const Pack load = sim.discs().load[static_cast<std::size_t>(disc)];
-    CHECK(load[0] == near(side * 2 * test::radius * sim.injection_pressure()));
-    CHECK(load[1] == 0);
+    const hfdem::Vec2 load = sim.discs().load[static_cast<std::size_t>(disc)];
+    CHECK(load.x == near(side * 2 * test::radius * sim.injection_pressure()));
+    CHECK(load.y == 0);
   }
 }

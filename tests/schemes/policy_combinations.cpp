@@ -14,7 +14,7 @@ constexpr std::array boundaries{BoundaryKind::servo, BoundaryKind::frozen,
                                 BoundaryKind::dead_loads};
 
 bool all_finite(const hfdem::Discs& discs) {
-  for (const auto* rows : {&discs.displacement, &discs.velocity, &discs.load})
+  for (const auto* rows : {&discs.displacement, &discs.velocity})
     for (const hfdem::Pack& row : *rows)
       for (std::size_t lane = 0; lane < 4; ++lane)
         if (!std::isfinite(row[lane])) return false;

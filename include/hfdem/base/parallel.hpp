@@ -28,7 +28,8 @@ void for_chunks(std::size_t count, std::size_t grain, [[maybe_unused]] int threa
   const std::size_t chunks = (count + grain - 1) / grain;
   const auto run = [&](std::size_t c) { f(c, c * grain, std::min(count, (c + 1) * grain)); };
 #ifdef _OPENMP
-  if (threads > 1) {
+  constexpr std::size_t few = 8;  // done sooner by one thread than others can be woken
+  if (threads > 1 && chunks > few) {
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::size_t c = 0; c < chunks; ++c) run(c);
     return;

@@ -4,7 +4,8 @@
 
 #include <numbers>
 
-namespace hfdem::inline literals {
+namespace hfdem {
+inline namespace literals {
 
 // NOLINTBEGIN: one line per unit reads best
 constexpr double operator""_m(long double v) { return static_cast<double>(v); }
@@ -33,4 +34,5 @@ constexpr double operator""_deg(unsigned long long v) {
 }
 // NOLINTEND
 
-}  // namespace hfdem::inline literals
+}  // namespace literals
+}  // namespace hfdem

@@ -88,10 +88,10 @@ class LinearParallelBond {
         shear_per_normal_(1 / p.stiffness_ratio),
         bond_shear_per_normal_(1 / p.bond_stiffness_ratio),
         friction_(p.friction),
-        tensile_strength_(p.tensile_strength),
-        cohesion_(p.cohesion),
+        twice_tensile_strength_(2 * p.tensile_strength),
+        twice_cohesion_(2 * p.cohesion),
         tan_friction_angle_(std::tan(p.friction_angle * std::numbers::pi / 180)),
-        moment_factor_(p.moment_factor) {}
+        thrice_moment_factor_(3 * p.moment_factor) {}
 
   Stiffness<double> stiffness(Disc a, Disc b) const noexcept {
     const double length = a.radius + b.radius, bond_radius = std::fmin(a.radius, b.radius);
@@ -112,14 +112,15 @@ class LinearParallelBond {
   template <class T>
   Response<T> respond(const Stiffness<T>& k, const Memory<T>& memory,
                       const Motion<T>& motion) const noexcept {
-    const T normal = max(T{}, -(k.normal * motion.opening));
+    const T closing = -motion.opening;
+    const T normal = max(T{}, k.normal * closing);
     const T elastic = memory.shear_offset - (k.normal * shear_per_normal_) * motion.shear;
     const T limit = friction_ * normal;
     const T shear = clamp(elastic, T(-limit), limit);
     return {
         .linear_normal = normal,
         .linear_shear = shear,
-        .bond_normal = -(k.bond * motion.opening),
+        .bond_normal = k.bond * closing,
         .bond_shear = -((k.bond * bond_shear_per_normal_) * motion.shear),
         // (E_b / L) I = k_bond Rb^2 / 3
         .bond_moment = ((1.0 / 3.0) * k.bond * (k.bond_radius * k.bond_radius)) * motion.rotation,
@@ -129,17 +130,17 @@ class LinearParallelBond {
   /// Both criteria are multiplied by the area, the tensile one by Rb too: no division.
   template <class T>
   Failure<T> failure(const Stiffness<T>& k, const Response<T>& r) const noexcept {
-    const T area = 2.0 * k.bond_radius;
-    // Rb / I = 3 / (A Rb)
-    const T tension = (3.0 * moment_factor_) * abs(r.bond_moment) - r.bond_normal * k.bond_radius;
-    const auto in_tension = tension > (tensile_strength_ * area) * k.bond_radius;
-    const T shear_strength = cohesion_ * area + tan_friction_angle_ * max(T{}, r.bond_normal);
+    // A = 2 Rb and Rb / I = 3 / (A Rb)
+    const T tension = thrice_moment_factor_ * abs(r.bond_moment) - r.bond_normal * k.bond_radius;
+    const auto in_tension = tension > (twice_tensile_strength_ * k.bond_radius) * k.bond_radius;
+    const T shear_strength =
+        twice_cohesion_ * k.bond_radius + tan_friction_angle_ * max(T{}, r.bond_normal);
     return {in_tension, abs(r.bond_shear) > shear_strength};
   }
 
  private:
   double E_, bond_E_, shear_per_normal_, bond_shear_per_normal_, friction_;
-  double tensile_strength_, cohesion_, tan_friction_angle_, moment_factor_;
+  double twice_tensile_strength_, twice_cohesion_, tan_friction_angle_, thrice_moment_factor_;
 };
 
 }  // namespace hfdem

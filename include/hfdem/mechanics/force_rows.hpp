@@ -30,19 +30,21 @@ class ForceRows {
       const auto& [bodies, frame] = contacts[c];
       const Vec2 normal{frame.normal_x, frame.normal_y};
       const auto row = static_cast<Index>(first_row + c);
-      pulls_[bodies.first].push_back({encode(row, true), normal});
-      pulls_[bodies.second].push_back({encode(row, false), -normal});
+      pulls_[bodies.first].push_back({row, true, normal});
+      pulls_[bodies.second].push_back({row, false, -normal});
     }
   }
 
   /// Fixes the order of summation; call once, after the last `add`.
   void arrange() {
-    begin_.assign(1, 0);
     for (auto& pulls : pulls_) {
-      pair_up_opposites(pulls);
-      for (const Pull& p : pulls) entries_.push_back(p.entry);
-      begin_.push_back(static_cast<Index>(entries_.size()));
+      const std::size_t opposites = pair_up(pulls, 0, [](const Pull& a, const Pull& b) {
+        return dot(a.direction, b.direction) < -0.999999;
+      });
+      pair_up(pulls, opposites, [](const Pull& a, const Pull& b) { return a.first != b.first; });
+      list(pulls);
     }
+    lists_.push_back({static_cast<Index>(entries_.size()), 0});
     pulls_ = {};
   }
 
@@ -51,9 +53,11 @@ class ForceRows {
 
   /// Sum of the rows that act on a body: (x, y) in N per m; its torque is the sum of the other two.
   Pack total(std::size_t body) const {
-    const Index* entry = entries_.data() + begin_[body];
-    const Index* const end = entries_.data() + begin_[body + 1];
+    const Index* entry = entries_.data() + lists_[body].begin;
+    const Index* const through = entries_.data() + lists_[body].through;
+    const Index* const end = entries_.data() + lists_[body + 1].begin;
     Pack sum{};
+    for (; entry < through; entry += 2) sum += rows_[entry[0]] + flipped(rows_[entry[1]]);
     for (; entry + 1 < end; entry += 2) sum += signed_row(entry[0]) + signed_row(entry[1]);
     if (entry < end) sum += signed_row(entry[0]);
     return sum;
@@ -61,11 +65,16 @@ class ForceRows {
 
  private:
   struct Pull {
-    Index entry;
+    Index row;
+    bool first;      ///< whether the body is the contact's first
     Vec2 direction;  ///< from the body to the contact
   };
 
-  static Index encode(Index row, bool as_first) { return row << 1 | (as_first ? 1U : 0U); }
+  /// A body's entries: up to `through`, pairs of rows that have the body as second and as first
+  /// (all pairs within a regular array); from there on, rows with their sign in the last bit.
+  struct List {
+    Index begin, through;
+  };
 
   Pack signed_row(Index entry) const {
     constexpr long long sign_bit = std::numeric_limits<long long>::min();
@@ -73,13 +82,13 @@ class ForceRows {
     return std::bit_cast<Pack>(std::bit_cast<PackMask>(rows_[entry >> 1]) ^ flip[entry & 1]);
   }
 
-  static void pair_up_opposites(std::vector<Pull>& pulls) {
-    constexpr double opposite = -0.999999;
-    std::size_t paired = 0;
-    for (std::size_t a = 0; a < pulls.size(); ++a) {
-      if (a < paired) continue;
+  /// Moves pairs that match to the front, behind those that are `paired` already.
+  /// @returns how many are paired then
+  template <class Match>
+  static std::size_t pair_up(std::vector<Pull>& pulls, std::size_t paired, Match&& match) {
+    for (std::size_t a = paired; a < pulls.size(); ++a) {
       for (std::size_t b = a + 1; b < pulls.size(); ++b) {
-        if (dot(pulls[a].direction, pulls[b].direction) > opposite) continue;
+        if (!match(pulls[a], pulls[b])) continue;
         std::swap(pulls[paired], pulls[a]);
         std::swap(pulls[paired + 1], pulls[b]);
         paired += 2;
@@ -87,11 +96,26 @@ class ForceRows {
         break;
       }
     }
+    return paired;
+  }
+
+  void list(std::span<const Pull> pulls) {
+    const auto begin = static_cast<Index>(entries_.size());
+    std::size_t k = 0;
+    for (; k + 1 < pulls.size() && pulls[k].first != pulls[k + 1].first; k += 2) {
+      const std::size_t as_first = pulls[k].first ? k : k + 1, as_second = 2 * k + 1 - as_first;
+      entries_.push_back(pulls[as_second].row);
+      entries_.push_back(pulls[as_first].row);
+    }
+    lists_.push_back({begin, static_cast<Index>(entries_.size())});
+    for (; k < pulls.size(); ++k)
+      entries_.push_back(pulls[k].row << 1 | (pulls[k].first ? 1U : 0U));
   }
 
   std::vector<Pack> rows_;
   std::vector<std::vector<Pull>> pulls_;
-  std::vector<Index> begin_, entries_;
+  std::vector<List> lists_;  // one per body, and the end
+  std::vector<Index> entries_;
 };
 
 }  // namespace hfdem

@@ -34,7 +34,8 @@ class DiscMotion {
         discs.size(), grain, threads, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
           Pack largest{}, sum{};
           for (std::size_t i = begin; i < end; ++i) {
-            const Pack force = forces.total(i) + discs.load[i];
+            const auto [x, y] = discs.load[i];
+            const Pack force = forces.total(i) + Pack{x, y, 0, 0};
             const Pack square = force * force;
             largest = max(largest, square + __builtin_shufflevector(square, square, 1, 0, 3, 2));
             sum += square;

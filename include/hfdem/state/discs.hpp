@@ -20,7 +20,7 @@ struct Discs {
   std::vector<double> mass;        ///< kg per m
   std::vector<Pack> displacement;  ///< since bonding; one row per body
   std::vector<Pack> velocity;      ///< one row per body
-  std::vector<Pack> load;          ///< fluid and dead loads on each disc, N per m, in lanes x and y
+  std::vector<Vec2> load;          ///< fluid and dead loads on each disc, N per m
 
   Discs() = default;
   explicit Discs(const Specimen& s)
@@ -29,7 +29,7 @@ struct Discs {
         mass(s.size()),
         displacement(s.size() + all_sides.size(), Pack{}),
         velocity(s.size() + all_sides.size(), Pack{}),
-        load(s.size(), Pack{}) {
+        load(s.size()) {
     for (std::size_t i = 0; i < mass.size(); ++i)
       mass[i] = s.density * std::numbers::pi * radius[i] * radius[i];
   }

@@ -1,0 +1,123 @@
+/// @file
+/// The contact loop as one would write it by hand for `LinearParallelBond` alone: plain arrays in
+/// the library's layout, no policy, no template. It does the same arithmetic to the last bit and
+/// takes the two short cuts that a special case allows: it leaves out the return mapping where
+/// nothing slips, and multiplies the constants beforehand where that rounds nothing.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <hfdem/contact/linear_parallel_bond.hpp>
+#include <hfdem/mechanics/contact_range.hpp>
+
+using Four = double __attribute__((vector_size(32)));
+using Bits = decltype(Four{} < Four{});
+
+struct ContactsByHand {
+  using Law = hfdem::LinearParallelBond;
+  static constexpr std::size_t blocks_per_note = 64;
+
+  std::vector<std::uint32_t> bodies;        // per block of four: the first ones, the second ones
+  std::vector<Four> frame, spring, offset;  // per block: four, three and one
+  std::vector<char> failed;                 // per 64 blocks, as in the library
+  double shear_ratio, bond_shear_ratio, friction, three_beta, two_tensile, two_cohesion, tan_angle;
+
+  ContactsByHand(const hfdem::ContactRange<Law>& range, const Law::Params& p)
+      : bodies(2 * range.padded_size()),
+        frame(range.padded_size()),
+        spring(range.padded_size() / 4 * 3),
+        offset(range.padded_size() / 4),
+        failed((offset.size() + blocks_per_note - 1) / blocks_per_note),
+        shear_ratio(1 / p.stiffness_ratio),
+        bond_shear_ratio(1 / p.bond_stiffness_ratio),
+        friction(p.friction),
+        three_beta(3 * p.moment_factor),
+        two_tensile(2 * p.tensile_strength),
+        two_cohesion(2 * p.cohesion),
+        tan_angle(std::tan(p.friction_angle * std::numbers::pi / 180)) {
+    for (std::size_t c = 0; c < range.size(); ++c) {
+      const std::size_t b = c / 4, lane = c % 4;
+      bodies[8 * b + lane] = range.bodies(c).first;
+      bodies[8 * b + 4 + lane] = range.bodies(c).second;
+      frame[4 * b][lane] = range.frame(c).normal_x;
+      frame[4 * b + 1][lane] = range.frame(c).normal_y;
+      frame[4 * b + 2][lane] = range.frame(c).arm_mean;
+      frame[4 * b + 3][lane] = range.frame(c).arm_half_difference;
+      spring[3 * b][lane] = range.stiffness(c).normal;
+      spring[3 * b + 1][lane] = range.stiffness(c).bond;
+      spring[3 * b + 2][lane] = range.stiffness(c).bond_radius;
+      offset[b][lane] = range.memory(c).shear_offset;
+    }
+  }
+
+  void evaluate(const Four* displacement, Four* force) {
+    constexpr long long minus = std::numeric_limits<long long>::min(), magnitude = ~minus;
+    const Bits flip = {minus, minus, minus, 0};
+    const Four zero = {};
+    const std::uint32_t* i = bodies.data();
+    const Four *f = frame.data(), *k = spring.data();
+    Four *off = offset.data(), *row = force;
+    for (std::size_t note = 0; note < failed.size(); ++note) {
+      Bits any_failed = {};
+      const std::size_t end = std::min(offset.size(), (note + 1) * blocks_per_note);
+      for (std::size_t b = note * blocks_per_note; b < end;
+           ++b, i += 8, f += 4, k += 3, ++off, row += 4) {
+        const Four d0 = displacement[i[4]] + (Four)((Bits)displacement[i[0]] ^ flip);
+        const Four d1 = displacement[i[5]] + (Four)((Bits)displacement[i[1]] ^ flip);
+        const Four d2 = displacement[i[6]] + (Four)((Bits)displacement[i[2]] ^ flip);
+        const Four d3 = displacement[i[7]] + (Four)((Bits)displacement[i[3]] ^ flip);
+        const Four even01 = __builtin_shufflevector(d0, d1, 0, 4, 2, 6);
+        const Four even23 = __builtin_shufflevector(d2, d3, 0, 4, 2, 6);
+        const Four odd01 = __builtin_shufflevector(d0, d1, 1, 5, 3, 7);
+        const Four odd23 = __builtin_shufflevector(d2, d3, 1, 5, 3, 7);
+        const Four dx = __builtin_shufflevector(even01, even23, 0, 1, 4, 5);
+        const Four dy = __builtin_shufflevector(odd01, odd23, 0, 1, 4, 5);
+        const Four rotation = __builtin_shufflevector(even01, even23, 2, 3, 6, 7);
+        const Four rotation_sum = __builtin_shufflevector(odd01, odd23, 2, 3, 6, 7);
+
+        const Four nx = f[0], ny = f[1], arm = f[2], half = f[3];
+        const Four closing = -(dx * nx + dy * ny);
+        const Four slide = (dy * nx - dx * ny) - (arm * rotation_sum + half * rotation);
+
+        const Four pressed = k[0] * closing;
+        const Four normal = zero > pressed ? zero : pressed;
+        const Four limit = friction * normal;
+        Four shear = *off - (k[0] * shear_ratio) * slide;
+        if (hfdem::any((Four)((Bits)shear & magnitude) >= limit)) [[unlikely]] {
+          const Four elastic = shear;
+          const Four below = elastic < limit ? elastic : limit;
+          shear = -limit > below ? -limit : below;
+          *off += shear - elastic;
+        }
+        const Four bond_normal = k[1] * closing;
+        const Four minus_bond_shear = (k[1] * bond_shear_ratio) * slide;
+        const Four moment = ((1.0 / 3.0) * k[1] * (k[2] * k[2])) * rotation;
+
+        const Four n = normal + bond_normal, s = shear - minus_bond_shear;
+        const Four x = n * nx - s * ny, y = n * ny + s * nx;
+        const Four torque_difference = -(half * s + moment), torque_sum = -(arm * s);
+        const Four even_xy = __builtin_shufflevector(x, y, 0, 4, 2, 6);
+        const Four odd_xy = __builtin_shufflevector(x, y, 1, 5, 3, 7);
+        const Four even_t = __builtin_shufflevector(torque_difference, torque_sum, 0, 4, 2, 6);
+        const Four odd_t = __builtin_shufflevector(torque_difference, torque_sum, 1, 5, 3, 7);
+        row[0] = __builtin_shufflevector(even_xy, even_t, 0, 1, 4, 5);
+        row[1] = __builtin_shufflevector(odd_xy, odd_t, 0, 1, 4, 5);
+        row[2] = __builtin_shufflevector(even_xy, even_t, 2, 3, 6, 7);
+        row[3] = __builtin_shufflevector(odd_xy, odd_t, 2, 3, 6, 7);
+
+        const Four tension = three_beta * (Four)((Bits)moment & magnitude) - bond_normal * k[2];
+        const Four strength =
+            two_cohesion * k[2] + tan_angle * (zero > bond_normal ? zero : bond_normal);
+        any_failed |= (tension > (two_tensile * k[2]) * k[2]) |
+                      ((Four)((Bits)minus_bond_shear & magnitude) > strength);
+      }
+      failed[note] = hfdem::any(any_failed);
+    }
+  }
+};
