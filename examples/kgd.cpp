@@ -12,6 +12,7 @@
 
 #include "support/command_line.hpp"
 #include "support/kgd_results.hpp"
+#include "support/polite_threads.hpp"
 #include "support/progress.hpp"
 
 using namespace hfdem;
@@ -51,6 +52,7 @@ int main(int argc, char** argv) {
   options.add_to(app);
   try {
     app.parse(argc, argv);
+    let_waiting_threads_sleep(options.threads, argv);
     KgdConfig config = options.quick ? KgdConfig::quick() : KgdConfig{};
     options.configure(config);
     config.simulator.scheme = config.simulator.scheme.resolved();
