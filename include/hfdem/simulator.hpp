@@ -138,8 +138,12 @@ class Simulator {
                      " mechanical steps (mechanics.max_settle_steps) while settling");
   }
 
-  /// Changes the injection rate, m2/s, from the next step on.
-  void inject(double rate) { rate_ = rate; }
+  /// Changes the injection rate, m2/s, from the next step on; zero shuts the well in.
+  /// @throws InvalidParameter if the rate is negative or not finite
+  void inject(double rate) {
+    detail::check_range("injection", "rate", "m2/s", non_negative, rate);
+    rate_ = rate;
+  }
   /// Number of threads for the loops; the results do not depend on it.
   void use_threads(int threads) { threads_ = threads; }
 
@@ -239,9 +243,15 @@ class Simulator {
       rock_.break_bond(c);
       network_.open(c);
     }
-    if (Pressure::holds_fluid && network_.wet_channels().empty())
-      refuse("crack", "contacts", "0", "at least 1: the fluid needs a crack to enter");
+    if (Pressure::holds_fluid && network_.wet_channels().empty()) refuse_crack();
     stop_if_at_rim();
+  }
+
+  [[noreturn]] void refuse_crack() const {
+    if (params_.crack.length)
+      refuse("crack", "length", to_text(*params_.crack.length) + " m",
+             "long enough to cut a contact: the fluid needs a crack to enter");
+    refuse("crack", "contacts", "0", "at least 1: the fluid needs a crack to enter");
   }
 
   Index nearest_domain(const FlowDomains& domains, Vec2 position) const {
@@ -297,7 +307,7 @@ class Simulator {
   // ---- reasons to stop ------------------------------------------------------------------------
 
   void stop_if_at_rim() const {
-    if (network_.reached_rim())
+    if (Pressure::holds_fluid && network_.reached_rim())
       throw RunStopped("the crack reached the rim of the specimen at t = " + in_words(time_) +
                        " s: the fluid would leave it there");
   }

@@ -39,7 +39,7 @@ Change change(const VerificationRun& run, const VerificationRun& base, const std
 
 TEST_SUITE("convergence") {
   TEST_CASE("equilibrium control does not depend on fluid step and tolerance") {
-    struct {
+    struct Variant {
       std::string what;
       hfdem::UniformPressure::Params scheme;
     } variants[] = {
@@ -49,9 +49,9 @@ TEST_SUITE("convergence") {
          {.equilibrium = true, .volume_tolerance = 0.5e-3, .unbalanced_tolerance = 0.5e-3}},
         {"twice the tolerances",
          {.equilibrium = true, .volume_tolerance = 2e-3, .unbalanced_tolerance = 2e-3}}};
-    for (const auto& [what, scheme] : variants) {
-      CAPTURE(what);
-      const Change c = change(verify(scheme), equilibrium(), what);
+    for (const Variant& variant : variants) {
+      CAPTURE(variant.what);
+      const Change c = change(verify(variant.scheme), equilibrium(), variant.what);
       CHECK(c.tip <= 0.010 + 1e-9);
       CHECK(c.opening.deviation < 0.01);
       CHECK(c.time.deviation < 0.02);

@@ -63,6 +63,28 @@ TEST_CASE("a fluid without a crack to enter is refused; a dry specimen needs non
   CHECK_NOTHROW(test::SquareRock<hfdem::Dry>(test::square(6), {.crack = {.contacts = 0}}));
 }
 
+TEST_CASE("a preset crack too short to cut a contact is refused by its length") {
+  CHECK(contains(refusal({.crack = {.length = 1e-3}}), "crack.length = 0.001 m"));
+}
+
+TEST_CASE("a rate that is no rate is refused, and changes nothing; zero shuts the well in") {
+  Injected sim(test::square(20), {});
+  sim.step();
+  const double injected = sim.injected_volume();
+  CHECK_THROWS_AS(sim.inject(std::nan("")), InvalidParameter);
+  CHECK_THROWS_AS(sim.inject(-1e-5), InvalidParameter);
+  sim.step();
+  CHECK(sim.injected_volume() == test::near(2 * injected));
+  sim.inject(0);
+  sim.step();
+  CHECK(sim.injected_volume() == test::near(2 * injected));
+}
+
+TEST_CASE("a dry specimen may be cut through") {
+  const test::SquareRock<hfdem::Dry> sim(test::square(6), {.crack = {.contacts = 6}});
+  CHECK(sim.network().reached_rim());
+}
+
 TEST_CASE("an injection outside the specimen is refused") {
   for (const Vec2 outside : {Vec2{-0.01, 0.03}, Vec2{0.03, 0.07}, Vec2{0, 0.03}})
     CHECK(contains(refusal({.injection = {.position = outside}}), "injection.position"));

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include <hfdem/base/pack.hpp>
 #include <hfdem/base/parallel.hpp>
 #include <hfdem/state/concepts.hpp>
 #include <hfdem/state/contact.hpp>

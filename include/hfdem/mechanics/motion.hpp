@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include <hfdem/base/pack.hpp>
 #include <hfdem/base/parallel.hpp>
 #include <hfdem/mechanics/force_rows.hpp>
 #include <hfdem/state/discs.hpp>

@@ -14,7 +14,8 @@ namespace hfdem {
 /// Upper bound on the largest natural frequency of the assembly, 1/s.
 ///
 /// Gershgorin's theorem on the stiffness matrix over the mass, disc by disc. Rotations are measured
-/// as arm * rotation / 2.5, a scale that makes the bound tight (within 10 % on the square array).
+/// as radius * rotation / 2.5, a scale that makes the bound tight (10 % on the default square
+/// array).
 class FrequencyBound {
  public:
   explicit FrequencyBound(const Discs& discs) : discs_(discs), rows_(discs.size()) {}
@@ -29,13 +30,11 @@ class FrequencyBound {
     double largest = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const Row& r = rows_[i];
-      const double coupling = rotation_scale / discs_.radius[i];
-      const double x = (r.xx + r.off_x + coupling * (std::abs(r.x_rotation) + r.off_x_rotation));
-      const double y = (r.yy + r.off_y + coupling * (std::abs(r.y_rotation) + r.off_y_rotation));
-      const double rotation =
-          r.rotation + r.off_rotation +
-          (std::abs(r.x_rotation) + std::abs(r.y_rotation) + r.off_x_rotation + r.off_y_rotation) /
-              coupling;
+      const double scale = rotation_scale / discs_.radius[i];
+      const double x = r.xx + r.x_others + scale * std::abs(r.x_rotation);
+      const double y = r.yy + r.y_others + scale * std::abs(r.y_rotation);
+      const double rotation = r.rotation + r.rotation_others +
+                              (std::abs(r.x_rotation) + std::abs(r.y_rotation)) / scale;
       largest = std::fmax(largest, std::fmax(x, y) / discs_.mass[i]);
       largest = std::fmax(largest, rotation / discs_.inertia(i));
     }
@@ -44,10 +43,11 @@ class FrequencyBound {
 
  private:
   static constexpr double rotation_scale = 2.5;
-  /// The disc's own stiffness terms, and the sums of the sizes of its neighbours' terms.
+  /// The disc's own stiffness terms, and the sums of the sizes of all others in its rows, rotations
+  /// scaled.
   struct Row {
     double xx = 0, yy = 0, rotation = 0, x_rotation = 0, y_rotation = 0;
-    double off_x = 0, off_y = 0, off_rotation = 0, off_x_rotation = 0, off_y_rotation = 0;
+    double x_others = 0, y_others = 0, rotation_others = 0;
   };
 
   void add_side(Index body, const Frame<double>& f, const Springs& k, double arm, Index other) {
@@ -60,18 +60,19 @@ class FrequencyBound {
     r.xx += xx;
     r.yy += yy;
     r.rotation += k.shear * arm * arm + k.moment;
-    r.off_x += xy;  // own coupling of x and y, bounded by the sum of its sizes
-    r.off_y += xy;
     const double out = body < other ? 1 : -1;  // the normal points away from the first body
     r.x_rotation += out * k.shear * arm * ny;
     r.y_rotation += out * k.shear * arm * nx;
+    r.x_others += xy;
+    r.y_others += xy;
     if (other >= rows_.size()) return;
     const double other_arm = 2 * f.arm_mean - arm;
-    r.off_x += xx + xy;
-    r.off_y += yy + xy;
-    r.off_rotation += std::abs(k.shear * arm * other_arm - k.moment);
-    r.off_x_rotation += k.shear * arm * std::abs(ny);
-    r.off_y_rotation += k.shear * arm * std::abs(nx);
+    const double scale = rotation_scale / discs_.radius[body];
+    const double other_scale = rotation_scale / discs_.radius[other];
+    r.x_others += xx + xy + other_scale * k.shear * other_arm * std::abs(ny);
+    r.y_others += yy + xy + other_scale * k.shear * other_arm * std::abs(nx);
+    r.rotation_others += std::abs(k.shear * arm * other_arm - k.moment) * other_scale / scale +
+                         k.shear * arm * (std::abs(nx) + std::abs(ny)) / scale;
   }
 
   const Discs& discs_;

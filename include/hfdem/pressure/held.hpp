@@ -48,7 +48,7 @@ class HeldPressure {
       const Relaxed relaxed = relax();
       ++step.mechanical_steps;
       step.unbalanced_ratio = relaxed.unbalanced_ratio;
-      // The first step still shows the balance of the old pressure's end.
+      // At least two, so that the discs have moved with the pressure.
       step.converged =
           step.mechanical_steps > 1 && relaxed.unbalanced_ratio < params_.unbalanced_tolerance;
       if (step.converged || relaxed.breaks > 0) break;

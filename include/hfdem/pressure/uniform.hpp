@@ -79,11 +79,14 @@ class UniformPressure {
       ++step.mechanical_steps;
       step.unbalanced_ratio = relaxed.unbalanced_ratio;
       stop_if_crack_ran_away(network, injected.total);
-      step.volume_error = std::abs(injected.total - network.crack_volume()) / injected.total;
+      const double wanted = injected.total > 0 ? injected.total : network.rest_volume();
+      step.volume_error = std::abs(injected.total - network.crack_volume()) / wanted;
       step.converged =
           step.volume_error <= *params_.volume_tolerance &&
           (!params_.equilibrium || relaxed.unbalanced_ratio < params_.unbalanced_tolerance);
     } while (!step.converged && step.mechanical_steps < *params_.max_mechanical_steps);
+    // What turned wet in the last mechanical step has the pressure, too.
+    fill(network, network.pressure(network.injection_domain()));
     return step;
   }
 
@@ -92,7 +95,10 @@ class UniformPressure {
     const double volume = max(network.total_volume(), network.rest_volume());
     const double wanted = params_.alpha * (injected - network.crack_volume()) / volume;
     const double change = clamp(wanted, -params_.max_pressure_step, params_.max_pressure_step);
-    const double pressure = max(0.0, network.pressure(network.injection_domain()) + change);
+    fill(network, max(0.0, network.pressure(network.injection_domain()) + change));
+  }
+
+  static void fill(Network& network, double pressure) {
     for (const Index d : network.wet_domains()) network.set_pressure(d, pressure);
   }
 

@@ -31,9 +31,9 @@ struct Pair {
 /// Relative motion of the two sides of a contact since the specimen was bonded.
 template <class T>
 struct Motion {
-  T opening;   ///< along the normal, m; positive when the gap grows
-  T shear;     ///< of the second side along the tangent (normal turned left), m
-  T rotation;  ///< of the second disc relative to the first, rad
+  T opening{};   ///< along the normal, m; positive when the gap grows
+  T shear{};     ///< of the second side along the tangent (normal turned left), m
+  T rotation{};  ///< of the second disc relative to the first, rad
 };
 
 /// What a contact does to its two sides.
