@@ -31,7 +31,6 @@ class KgdResults {
   /// Call once the specimen has settled.
   void begin(const Kgd& sim) {
     moduli_ = moduli(sim);
-    steps_at_start_ = sim.mechanical_steps();
     watch_ = Stopwatch();
   }
 
@@ -78,7 +77,7 @@ class KgdResults {
 
   Summary summarise(const Kgd& sim, double wall, const std::string& stopped) {
     const auto shape = measure::crack_shape(sim);
-    const auto steps = sim.mechanical_steps() - steps_at_start_;
+    const long steps = sim.mechanical_steps();
     Summary s;
     s.set("time_s", sim.time());
     s.set("full_length_m", shape.full_length());
@@ -101,6 +100,7 @@ class KgdResults {
     s.set("fluid_steps", sim.fluid_steps());
     s.set("unconverged_fluid_steps", unconverged_);
     s.set("mechanical_steps", steps);
+    s.set("settling_steps", sim.settling_steps());
     s.set("mechanical_dt_s", sim.mechanical_dt());
     s.set("wall_s", wall);
     s.set("particle_steps_per_s",
@@ -137,7 +137,7 @@ class KgdResults {
                   kgd.full_length(), shape.aperture * 1e6, paper::Verification::aperture * 1e6,
                   kgd.width * 1e6, shape.opening * 1e6, sim.injection_pressure() / 1e6,
                   (sim.injection_pressure() - far_field_) / 1e6, sim.fluid_steps(),
-                  sim.mechanical_steps() - steps_at_start_, wall);
+                  sim.mechanical_steps(), wall);
     return text;
   }
 
@@ -148,7 +148,7 @@ class KgdResults {
   std::ofstream history_file_;
   observe::History history_;
   measure::ElasticModuli moduli_{};
-  long steps_at_start_ = 0, unconverged_ = 0;
+  long unconverged_ = 0;
   double peak_pressure_ = 0;
   Stopwatch watch_;
   std::string text_;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,18 +18,11 @@
 #include <hfdem/setup/bonding.hpp>
 #include <hfdem/setup/flow_domains.hpp>
 #include <hfdem/setup/preset_crack.hpp>
+#include <hfdem/simulator_observers.hpp>
 #include <hfdem/simulator_params.hpp>
 #include <hfdem/state/concepts.hpp>
 
 namespace hfdem {
-
-/// A bond that broke during a run.
-struct BondBreak {
-  double time;    ///< end of the fluid step in which it broke, s
-  Index contact;  ///< also the index of its flow channel
-  Mode mode;
-  double pressure;  ///< at the injection when it broke, Pa
-};
 
 /// Bonded discs with a fluid network.
 ///
@@ -99,9 +91,10 @@ class Simulator {
     while (time_ + 1e-6 * pressure_.fluid_dt(motion_.dt()) < end_time) {
       const std::size_t told = breaks_.size();
       [[maybe_unused]] const FluidStep result = step();
-      for (std::size_t b = told; b < breaks_.size(); ++b) (tell_break(observers, breaks_[b]), ...);
+      for (std::size_t b = told; b < breaks_.size(); ++b)
+        (tell_bond_break(observers, *this, breaks_[b]), ...);
       bool go_on = true;
-      ((go_on = tell_step(observers, result) && go_on), ...);
+      ((go_on = tell_fluid_step(observers, *this, result) && go_on), ...);
       if (!go_on) return false;
     }
     return true;
@@ -166,7 +159,9 @@ class Simulator {
   /// Direction of the preset crack.
   Vec2 crack_direction() const { return hfdem::crack_direction(params_.in_situ); }
   double mechanical_dt() const { return motion_.dt(); }  ///< s
+  /// Mechanical steps of all fluid steps, and those of settling.
   long mechanical_steps() const { return mechanical_steps_; }
+  long settling_steps() const { return settling_steps_; }
   long fluid_steps() const { return fluid_steps_; }
 
   /// Where a contact is: its contact point, m.
@@ -233,9 +228,7 @@ class Simulator {
 
   void make_network() {
     FlowDomains domains = flow_domains(specimen_, geometry_);
-    const Vec2 position =
-        params_.injection.position.value_or(Vec2{specimen_.width / 2, specimen_.height / 2});
-    const Index injection = nearest_domain(domains, position);
+    const Index injection = injection_domain(domains, specimen_, params_.injection.position);
     const Vec2 centre = domains.centre[injection];
     network_ = Network(std::move(domains), injection, aperture_.rest_width());
     preset_ = preset_crack(params_.crack, specimen_, geometry_, centre, crack_direction());
@@ -252,22 +245,6 @@ class Simulator {
       refuse("crack", "length", to_text(*params_.crack.length) + " m",
              "long enough to cut a contact: the fluid needs a crack to enter");
     refuse("crack", "contacts", "0", "at least 1: the fluid needs a crack to enter");
-  }
-
-  Index nearest_domain(const FlowDomains& domains, Vec2 position) const {
-    const bool inside = position.x > 0 && position.x < specimen_.width && position.y > 0 &&
-                        position.y < specimen_.height;
-    if (!inside || domains.centre.empty())
-      refuse("injection", "position",
-             "[" + to_text(position.x) + ", " + to_text(position.y) + "] m",
-             "inside the specimen, which is " + to_text(specimen_.width) + " m by " +
-                 to_text(specimen_.height) + " m and has " + std::to_string(domains.centre.size()) +
-                 " flow domains");
-    Index nearest = 0;
-    for (Index d = 1; d < domains.centre.size(); ++d)
-      if (norm(domains.centre[d] - position) < norm(domains.centre[nearest] - position))
-        nearest = d;
-    return nearest;
   }
 
   Disc disc(Index i) const { return {specimen_.radius[i]}; }
@@ -289,7 +266,7 @@ class Simulator {
     const double largest = motion_.step(discs_, forces_, threads_);
     stop_if_not_finite(largest);
     refresh_widths();
-    ++mechanical_steps_;
+    ++(settling ? settling_steps_ : mechanical_steps_);
     return {largest == 0 ? 0 : largest / mean_contact_force_, static_cast<int>(broken)};
   }
 
@@ -318,30 +295,6 @@ class Simulator {
                        " s: the mechanical step is unstable, or the specimen has come apart");
   }
 
-  // ---- observers ------------------------------------------------------------------------------
-
-  template <class Observer>
-  bool tell_step(Observer& observer, const FluidStep& result) const {
-    const auto answer = [&] {
-      if constexpr (requires { observer.fluid_step(*this, result); })
-        return observer.fluid_step(*this, result);
-      else if constexpr (requires { observer(*this); })
-        return observer(*this);
-    };
-    if constexpr (std::is_void_v<decltype(answer())>) {
-      answer();
-      return true;
-    } else {
-      return answer();
-    }
-  }
-
-  template <class Observer>
-  void tell_break(Observer& observer, const BondBreak& broken) const {
-    if constexpr (requires { observer.bond_break(*this, broken); })
-      observer.bond_break(*this, broken);
-  }
-
   Params params_;
   Specimen specimen_;
   Discs discs_;
@@ -358,7 +311,7 @@ class Simulator {
   std::vector<Index> preset_;
   std::vector<BondBreak> breaks_;
   double time_ = 0, injected_ = 0, rate_ = params_.injection.rate, mean_contact_force_ = 0;
-  long mechanical_steps_ = 0, fluid_steps_ = 0;
+  long mechanical_steps_ = 0, settling_steps_ = 0, fluid_steps_ = 0;
   /// The mean contact force changes slowly, and takes as long to sum as a mechanical step.
   static constexpr long mean_contact_force_lifetime = 100;
   long mean_contact_force_until_ = 0;

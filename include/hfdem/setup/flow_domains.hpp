@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <hfdem/state/contact.hpp>
@@ -133,6 +135,24 @@ inline FlowDomains flow_domains(const Specimen& specimen,
     result.corners_begin.push_back(static_cast<Index>(result.corners.size()));
   }
   return result;
+}
+
+/// The domain that receives the fluid: the one whose centre is nearest.
+/// @param position m; the middle of the specimen if not given
+/// @throws InvalidParameter if the position is not inside the specimen
+inline Index injection_domain(const FlowDomains& domains, const Specimen& specimen,
+                              const std::optional<Vec2>& position) {
+  const Vec2 at = position.value_or(Vec2{specimen.width / 2, specimen.height / 2});
+  const bool inside = at.x > 0 && at.x < specimen.width && at.y > 0 && at.y < specimen.height;
+  if (!inside || domains.centre.empty())
+    refuse("injection", "position", "[" + to_text(at.x) + ", " + to_text(at.y) + "] m",
+           "inside the specimen, which is " + to_text(specimen.width) + " m by " +
+               to_text(specimen.height) + " m and has " + std::to_string(domains.centre.size()) +
+               " flow domains");
+  Index nearest = 0;
+  for (Index d = 1; d < domains.centre.size(); ++d)
+    if (norm(domains.centre[d] - at) < norm(domains.centre[nearest] - at)) nearest = d;
+  return nearest;
 }
 
 }  // namespace hfdem
