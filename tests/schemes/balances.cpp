@@ -89,7 +89,7 @@ TEST_CASE("the mechanical steps that the fluid steps tell add up, and none is wi
   Injected sim = breaking_array(false);
   long told = sim.mechanical_steps();
   CHECK(told == 0);
-  CHECK(sim.settling_steps() > 0);  // of settling
+  CHECK(sim.settling_steps() > 0);
   for (int n = 0; n < 60; ++n) {
     const FluidStep step = sim.step();
     CHECK(step.mechanical_steps >= 1);
