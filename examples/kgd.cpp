@@ -3,7 +3,7 @@
 //
 //   build/release/examples/kgd --out out/kgd
 //
-// You should see, after a few seconds, a crack of 0.80 m that is 76 um wide at the injection,
+// You should see, after a few seconds, a crack of 0.80 m that is 77 um wide at the injection,
 // beside the paper's 0.770 m and 72.4 um, and the figures aperture.svg, length.svg, pressure.svg
 // and specimen.svg. `--quick` runs a small array in less than a second; `--help` lists the options.
 #include <cstdio>

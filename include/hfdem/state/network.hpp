@@ -95,8 +95,8 @@ class Network {
       if (d != nothing && wet_domain_[d]) return flood(channel);
   }
 
-  /// V_c, Eq. 2: the volume that the crack has opened, m2 per m... of the channels' length l_p
-  /// times what their width exceeds the filled one.
+  /// V_c, Eq. 2, m2 (per m of thickness): what the crack has opened beyond its filled width, which
+  /// is that at zero contact force. Slightly negative while the crack is still pressed shut.
   double crack_volume() const {
     return sum([&](Index c) { return width_[c] - rest_width_[c]; });
   }
