@@ -81,10 +81,9 @@ class Simulator {
                              [this] { return relax(false); });
   }
 
-  /// Steps until `end_time`, s, telling observers. An observer is called
-  /// after every fluid step as `observer(simulator)` or, where it has one, through its member
-  /// `fluid_step(simulator, FluidStep)`; if the answer is a bool, false stops the run. A member
-  /// `bond_break(simulator, BondBreak)` is called for every bond.
+  /// Steps until `end_time`, s. An observer is told after every fluid step through
+  /// `observer(simulator)` or, where it has one, its member `fluid_step(simulator, FluidStep)`; if it
+  /// answers false, the run ends. A member `bond_break(simulator, BondBreak)` is told every break.
   /// @returns whether the end time was reached
   template <class... Observers>
   bool run_until(double end_time, Observers&&... observers) {
