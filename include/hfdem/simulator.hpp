@@ -82,8 +82,8 @@ class Simulator {
   }
 
   /// Steps until `end_time`, s. An observer is told after every fluid step through
-  /// `observer(simulator)` or, where it has one, its member `fluid_step(simulator, FluidStep)`; if it
-  /// answers false, the run ends. A member `bond_break(simulator, BondBreak)` is told every break.
+  /// `observer(simulator)` or, where it has one, its member `fluid_step(simulator, FluidStep)`;
+  /// an answer of false ends the run. A member `bond_break(simulator, BondBreak)` hears of breaks.
   /// @returns whether the end time was reached
   template <class... Observers>
   bool run_until(double end_time, Observers&&... observers) {
