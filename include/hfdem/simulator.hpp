@@ -39,8 +39,9 @@ template <ContactLaw Contact, ApertureLaw Aperture, PressureScheme Pressure,
           NeighbourSearch Neighbours>
 class Simulator {
  public:
-  using Params = SimulatorParams<Contact, Aperture, Pressure>;
+  using Params = SimulatorParams<Contact, Aperture, Pressure>;  ///< sections of a parameter file
 
+  /// Bonds, cuts the preset crack, settles.
   /// @throws InvalidParameter naming the field that is wrong
   /// @throws RunStopped if the specimen finds no equilibrium under the in-situ stress
   Simulator(const Specimen& specimen, const Params& params)
@@ -85,6 +86,7 @@ class Simulator {
   /// `observer(simulator)` or, where it has one, its member `fluid_step(simulator, FluidStep)`;
   /// an answer of false ends the run. A member `bond_break(simulator, BondBreak)` hears of breaks.
   /// @returns whether the end time was reached
+  /// @throws RunStopped when the run cannot go on
   template <class... Observers>
   bool run_until(double end_time, Observers&&... observers) {
     while (time_ + 1e-6 * pressure_.fluid_dt(motion_.dt()) < end_time) {
@@ -141,27 +143,30 @@ class Simulator {
 
   // ---- what can be read -----------------------------------------------------------------------
 
-  double time() const { return time_; }  ///< s
-  const Params& params() const { return params_; }
-  const Specimen& specimen() const { return specimen_; }
-  const Discs& discs() const { return discs_; }
+  double time() const { return time_; }                   ///< fluid time since injection began, s
+  const Params& params() const { return params_; }        ///< as given
+  const Specimen& specimen() const { return specimen_; }  ///< before it was bonded
+  const Discs& discs() const { return discs_; }           ///< bodies and their motion
+  /// Between discs; the flow channel of contact c is channel c.
   const ContactRange<Contact>& contacts() const { return rock_; }
-  const Network& network() const { return network_; }
-  const Loading& loading() const { return loading_; }
-  const ForceRows& forces() const { return forces_; }
+  const Network& network() const { return network_; }  ///< pressures and widths
+  const Loading& loading() const { return loading_; }  ///< platens or dead loads
+  const ForceRows& forces() const { return forces_; }  ///< of the last mechanical step
+  /// For hosts that steer their scheme between steps, as through `HeldPressure::hold`.
   Pressure& pressure_scheme() { return pressure_; }
-  const Pressure& pressure_scheme() const { return pressure_; }
+  const Pressure& pressure_scheme() const { return pressure_; }  ///< to be read
+  /// Bonds that broke so far, in order; the preset crack is not among them.
   std::span<const BondBreak> breaks() const { return breaks_; }
-  std::span<const Index> preset_contacts() const { return preset_; }
-  double injected_volume() const { return injected_; }  ///< V_f, m2
+  std::span<const Index> preset_contacts() const { return preset_; }  ///< cut before the run
+  double injected_volume() const { return injected_; }                ///< V_f, m2
+  /// Pressure of the domain that receives the fluid, Pa.
   double injection_pressure() const { return network_.pressure(network_.injection_domain()); }
   /// Direction of the preset crack.
   Vec2 crack_direction() const { return hfdem::crack_direction(params_.in_situ); }
-  double mechanical_dt() const { return motion_.dt(); }  ///< s
-  /// Mechanical steps of all fluid steps, and those of settling.
-  long mechanical_steps() const { return mechanical_steps_; }
-  long settling_steps() const { return settling_steps_; }
-  long fluid_steps() const { return fluid_steps_; }
+  double mechanical_dt() const { return motion_.dt(); }        ///< mechanical step, s
+  long mechanical_steps() const { return mechanical_steps_; }  ///< of all fluid steps so far
+  long settling_steps() const { return settling_steps_; }      ///< without fluid flow, so far
+  long fluid_steps() const { return fluid_steps_; }            ///< so far
 
   /// Where a contact is: its contact point, m.
   Vec2 contact_point(Index contact) const {
@@ -169,6 +174,7 @@ class Simulator {
     return discs_.centre[bodies.first] +
            (f.arm_mean - f.arm_half_difference) * Vec2{f.normal_x, f.normal_y};
   }
+  /// A contact's bodies, normal and arms.
   const ContactGeometry& contact_geometry(Index contact) const { return geometry_[contact]; }
 
   /// Mean size of the force in the contacts between discs at the last mechanical step, N per m.

@@ -12,9 +12,9 @@ namespace hfdem {
 
 /// A bond that broke during a run.
 struct BondBreak {
-  double time;    ///< end of the fluid step in which it broke, s
-  Index contact;  ///< also the index of its flow channel
-  Mode mode;
+  double time;      ///< end of the fluid step in which it broke, s
+  Index contact;    ///< also the index of its flow channel
+  Mode mode;        ///< in tension or in shear
   double pressure;  ///< at the injection when it broke, Pa
 };
 

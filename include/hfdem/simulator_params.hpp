@@ -12,6 +12,7 @@
 
 namespace hfdem {
 
+/// How a specimen is brought towards equilibrium.
 struct Mechanics {
   double damping = 0.7;
   double step_fraction = 0.97;
@@ -31,18 +32,20 @@ struct Mechanics {
   }
 };
 
+/// One section per policy and per part of the model.
 template <class Contact, class Aperture, class Pressure>
 struct SimulatorParams {
-  typename Contact::Params contact{};
-  typename Aperture::Params aperture{};
-  Loading::Params boundary{};
-  Stress in_situ{};
-  PresetCrack crack{};
-  Injection injection{};
-  Fluid fluid{};
-  Mechanics mechanics{};
-  typename Pressure::Params scheme{};
+  typename Contact::Params contact{};    ///< of the contact law
+  typename Aperture::Params aperture{};  ///< of the aperture law
+  Loading::Params boundary{};            ///< what holds the specimen
+  Stress in_situ{};                      ///< before injection, and on the boundary during it
+  PresetCrack crack{};                   ///< where the fluid enters
+  Injection injection{};                 ///< how much of it, and where
+  Fluid fluid{};                         ///< its properties
+  Mechanics mechanics{};                 ///< mechanical steps
+  typename Pressure::Params scheme{};    ///< of the pressure scheme
 
+  /// The table of these sections.
   static constexpr auto sections() {
     using P = SimulatorParams;
     return std::tuple{Section{"contact", &P::contact},   Section{"aperture", &P::aperture},
@@ -52,6 +55,7 @@ struct SimulatorParams {
                       Section{"scheme", &P::scheme}};
   }
 
+  /// Checks every section.
   /// @throws InvalidParameter naming the field, its value and the allowed range
   void validate() const {
     for_each_section(*this, [](std::string_view name, const auto& s) { hfdem::validate(s, name); });

@@ -12,8 +12,10 @@
 
 namespace hfdem {
 
+/// An `ApertureLaw`.
 class HyperbolicAperture {
  public:
+  /// The two constants of the law.
   struct Params {
     double w0 = 6e-6;
     double F0 = 1e5;
@@ -25,11 +27,13 @@ class HyperbolicAperture {
     }
   };
 
+  /// @param p validated parameters
   explicit HyperbolicAperture(const Params& p) : w0_(p.w0), F0_(p.F0) {}
 
   /// The aperture of rock at zero force, m: what a new channel starts from.
   double rest_width() const noexcept { return w0_; }
 
+  /// The hydraulic aperture, m.
   /// @param w0 the channel's own aperture at zero force, m
   /// @param compression total compressive force of the contact, N per m (0 when open)
   /// @param gap opening since bonding, m

@@ -20,38 +20,40 @@ namespace hfdem {
 
 /// The allowed range of a number; an open end excludes the bound itself.
 struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool open_low = false;
-  bool open_high = false;
+  double low = -std::numeric_limits<double>::infinity();  ///< the least allowed value
+  double high = std::numeric_limits<double>::infinity();  ///< the greatest allowed value
+  bool open_low = false;                                  ///< `low` itself is not allowed
+  bool open_high = false;                                 ///< `high` itself is not allowed
 
+  /// False for what is not a number.
   constexpr bool contains(double v) const {
     return (open_low ? v > low : v >= low) && (open_high ? v < high : v <= high);
   }
 };
-inline constexpr Range any_number{};
-inline constexpr Range positive{.low = 0, .open_low = true};
-inline constexpr Range non_negative{.low = 0};
+inline constexpr Range any_number{};                          ///< every finite number
+inline constexpr Range positive{.low = 0, .open_low = true};  ///< greater than zero
+inline constexpr Range non_negative{.low = 0};                ///< zero or greater
 
 /// One parameter of an aggregate `Params`.
 template <class Params, class T>
 struct Field {
-  std::string_view name;
-  T Params::*member;
-  std::string_view unit;
-  Range range;
-  std::string_view meaning;
+  std::string_view name;     ///< its key in a parameter file
+  T Params::*member;         ///< where its value is kept
+  std::string_view unit;     ///< SI or deg; empty for a pure number
+  Range range;               ///< of a number, or of each component of a vector
+  std::string_view meaning;  ///< for people: a phrase without a full stop
 };
-// clang before 17 deduces no template arguments of aggregates without being told how.
+/// Clang before 17 deduces no template arguments of aggregates without being told how.
 template <class Params, class T>
 Field(std::string_view, T Params::*, std::string_view, Range, std::string_view) -> Field<Params, T>;
 
 /// A named group of parameters: a section of the parameter file.
 template <class Params, class T>
 struct Section {
-  std::string_view name;
-  T Params::*member;
+  std::string_view name;  ///< its heading in a parameter file
+  T Params::*member;      ///< where its parameters are kept
 };
+/// Told to clang, as for `Field`.
 template <class Params, class T>
 Section(std::string_view, T Params::*) -> Section<Params, T>;
 
@@ -65,8 +67,10 @@ concept Described = requires {
   P::fields();
 };
 
+/// Whether a parameter of this type may be left out.
 template <class>
 inline constexpr bool is_optional = false;
+/// True for `std::optional`.
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
@@ -98,6 +102,7 @@ inline std::string in_words(double v) {
   return {buffer.data(), end};
 }
 
+/// The range as a message says it: "greater than 0 Pa and at most 1 Pa".
 inline std::string to_text(const Range& range, std::string_view unit) {
   const auto bound = [&](double v) {
     return unit.empty() ? to_text(v) : to_text(v) + " " + std::string(unit);
@@ -109,6 +114,8 @@ inline std::string to_text(const Range& range, std::string_view unit) {
   return low ? above : high ? below : "any finite number";
 }
 
+/// Refuses an input.
+/// @throws InvalidParameter "section.field = value is not allowed: it must be allowed"
 [[noreturn]] inline void refuse(std::string_view section, std::string_view field,
                                 std::string_view value, std::string_view allowed) {
   throw InvalidParameter(std::string(section) + "." + std::string(field) + " = " +

@@ -23,15 +23,19 @@
 
 namespace hfdem {
 
+/// Four doubles, element by element.
 using Pack = double __attribute__((vector_size(32)));
 /// Four masks of 64 bits, all ones or all zeros: what comparing two packs gives.
 using PackMask = decltype(Pack{} < Pack{});
-inline constexpr std::size_t pack_width = 4;
+inline constexpr std::size_t pack_width = 4;  ///< doubles in a pack
 
 /// The result type of a comparison of two values of type `T`.
 template <class T>
 using MaskOf = decltype(T{} < T{});
 
+/// @name For one value and for four
+/// @{
+/// Lane by lane.
 inline double max(double a, double b) { return a > b ? a : b; }
 inline double min(double a, double b) { return a < b ? a : b; }
 inline double abs(double a) { return std::fabs(a); }
@@ -42,6 +46,7 @@ inline Pack abs(const Pack& a) {
   return std::bit_cast<Pack>(std::bit_cast<PackMask>(a) &
                              PackMask{magnitude, magnitude, magnitude, magnitude});
 }
+/// `value`, or the bound that it exceeds, lane by lane.
 template <class T>
 T clamp(const T& value, const T& low, const T& high) {
   return max(low, min(value, high));
@@ -54,7 +59,9 @@ inline Pack sign(const Pack& a) {
   return (a > zero ? one : zero) - (a < zero ? one : zero);
 }
 
+/// Whether a comparison holds in any lane.
 inline bool any(bool mask) { return mask; }
+/// Whether a comparison holds in any lane.
 inline bool any(const PackMask& mask) {
 #ifdef __AVX__
   using Bits = long long __attribute__((vector_size(32)));
@@ -64,6 +71,7 @@ inline bool any(const PackMask& mask) {
   return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 #endif
 }
+/// @}
 
 /// Turns four rows into four columns (and back).
 inline void transpose(Pack& a, Pack& b, Pack& c, Pack& d) {
@@ -92,8 +100,9 @@ inline constexpr bool holds_only_packs = [] {
 template <template <class> class Record>
 class PackedColumn {
  public:
-  using One = Record<double>;
-  using Four = Record<Pack>;
+  using One = Record<double>;  ///< a single record
+  using Four = Record<Pack>;   ///< a block of four
+  /// Values in a record; a column of empty records holds nothing.
   static constexpr std::size_t members = std::is_empty_v<One> ? 0 : sizeof(One) / sizeof(double);
   static_assert(holds_only_packs<Four>,
                 "the members of a packed record must all be of its value type");
@@ -102,11 +111,15 @@ class PackedColumn {
   /// @param size number of records, a multiple of `pack_width`; all start as zeros.
   explicit PackedColumn(std::size_t size) : blocks_(size / pack_width, Four{}) {}
 
+  /// Records 4 b to 4 b + 3.
   Four& block(std::size_t b) { return blocks_[b]; }
+  /// Records 4 b to 4 b + 3.
   const Four& block(std::size_t b) const { return blocks_[b]; }
 
+  /// A copy of one record; `set` writes it.
   One operator[](std::size_t index) const { return lane(blocks_[index / pack_width], index); }
 
+  /// Replaces one record, bit for bit.
   void set(std::size_t index, const One& record) {
     auto values = std::bit_cast<std::array<double, members * pack_width>>(blocks_[index / 4]);
     const auto source = std::bit_cast<std::array<double, members>>(record);

@@ -8,6 +8,9 @@ namespace hfdem {
 inline namespace literals {
 
 // NOLINTBEGIN: one line per unit reads best
+/// @name Units
+/// @{
+/// The value in SI (angles in radians).
 constexpr double operator""_m(long double v) { return static_cast<double>(v); }
 constexpr double operator""_mm(long double v) { return static_cast<double>(v * 1e-3L); }
 constexpr double operator""_um(long double v) { return static_cast<double>(v * 1e-6L); }
@@ -32,6 +35,7 @@ constexpr double operator""_cp(unsigned long long v) { return static_cast<double
 constexpr double operator""_deg(unsigned long long v) {
   return static_cast<double>(v) * std::numbers::pi / 180;
 }
+/// @}
 // NOLINTEND
 
 }  // namespace literals

@@ -6,6 +6,7 @@
 
 namespace hfdem {
 
+/// Major, minor and patch, as semantic versioning means them.
 inline constexpr std::string_view version = "0.1.0";
 
 }  // namespace hfdem

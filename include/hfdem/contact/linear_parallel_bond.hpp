@@ -24,6 +24,7 @@
 
 namespace hfdem {
 
+/// A `ContactLaw`: an elastic, frictional contact and a bond beside it, both linear.
 class LinearParallelBond {
  public:
   /// Micro-parameters; the defaults are those of the paper's Table 3.
@@ -58,6 +59,7 @@ class LinearParallelBond {
     }
   };
 
+  /// What is fixed per contact.
   template <class T>
   struct Stiffness {
     T normal;       ///< linear part, N/m per m
@@ -65,6 +67,7 @@ class LinearParallelBond {
     T bond_radius;  ///< Rb, m
   };
 
+  /// What evolves per contact.
   template <class T>
   struct Memory {
     T shear_offset;  ///< shear force of the linear part that slip has taken up, N per m
@@ -73,15 +76,17 @@ class LinearParallelBond {
   /// Forces of both parts, N per m (moment: N m per m); compression positive.
   template <class T>
   struct Response {
-    T linear_normal, linear_shear;
-    T bond_normal, bond_shear, bond_moment;
-    Memory<T> memory;  ///< after this motion
+    T linear_normal, linear_shear;           ///< of the linear part; no tension
+    T bond_normal, bond_shear, bond_moment;  ///< of the bond
+    Memory<T> memory;                        ///< after this motion
 
+    /// Both parts together.
     Reaction<T> reaction() const {
       return {linear_normal + bond_normal, linear_shear + bond_shear, bond_moment};
     }
   };
 
+  /// @param p validated parameters
   explicit LinearParallelBond(const Params& p)
       : E_(p.E),
         bond_E_(p.bond_E),
@@ -93,6 +98,7 @@ class LinearParallelBond {
         tan_friction_angle_(std::tan(p.friction_angle * std::numbers::pi / 180)),
         thrice_moment_factor_(3 * p.moment_factor) {}
 
+  /// Of a new contact, its bond intact.
   Stiffness<double> stiffness(Disc a, Disc b) const noexcept {
     const double length = a.radius + b.radius, bond_radius = std::fmin(a.radius, b.radius);
     const double slenderness = 2 * bond_radius / length;
@@ -104,11 +110,13 @@ class LinearParallelBond {
     return {k.normal, 0, k.bond_radius};
   }
 
+  /// Both parts together; what slips or opens is softer.
   Springs springs(const Stiffness<double>& k) const noexcept {
     return {k.normal + k.bond, k.normal * shear_per_normal_ + k.bond * bond_shear_per_normal_,
             k.bond * k.bond_radius * k.bond_radius / 3};
   }
 
+  /// The forces that follow from the displacement since bonding, after return mapping of slip.
   template <class T>
   Response<T> respond(const Stiffness<T>& k, const Memory<T>& memory,
                       const Motion<T>& motion) const noexcept {

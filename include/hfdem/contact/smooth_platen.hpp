@@ -7,18 +7,23 @@
 
 namespace hfdem {
 
+/// A `RespondingLaw` without parameters.
 class SmoothPlaten {
  public:
+  /// What is fixed per contact.
   template <class T>
   struct Stiffness {
     T normal;  ///< N/m per m of thickness
   };
+  /// Nothing evolves.
   template <class T>
   struct Memory {};
+  /// The force on the disc.
   template <class T>
   struct Response {
-    T normal;  ///< N per m, compression positive
-    Memory<T> memory;
+    T normal;          ///< N per m, compression positive
+    Memory<T> memory;  ///< empty
+    /// The normal force alone.
     Reaction<T> reaction() const { return {normal, T{}, T{}}; }
   };
 
@@ -27,8 +32,10 @@ class SmoothPlaten {
     return {2 * contact_with_its_like.normal};
   }
 
+  /// The spring itself.
   Springs springs(const Stiffness<double>& k) const noexcept { return {k.normal, 0, 0}; }
 
+  /// Pushes where the disc has come nearer since bonding, never pulls.
   template <class T>
   Response<T> respond(const Stiffness<T>& k, const Memory<T>&,
                       const Motion<T>& motion) const noexcept {

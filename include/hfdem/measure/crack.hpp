@@ -18,7 +18,7 @@ struct CrackShape {
   double aperture = 0;  ///< w at the injection, with w0, m
   double opening = 0;   ///< w - w0 at the injection, m
 
-  double full_length() const { return tip_up + tip_down; }
+  double full_length() const { return tip_up + tip_down; }  ///< from tip to tip, m
 };
 
 /// One broken contact of the crack.
@@ -32,9 +32,10 @@ struct CrackPoint {
 
 /// The ends of a broken contact's facet: as long as the bond was wide, across the contact.
 struct Facet {
-  Vec2 from, to;
+  Vec2 from, to;  ///< m
 };
 
+/// The facet of a contact, at the place where it was bonded.
 template <class Sim>
 Facet facet(const Sim& sim, Index contact) {
   const auto& [bodies, f] = sim.contact_geometry(contact);
@@ -45,11 +46,13 @@ Facet facet(const Sim& sim, Index contact) {
   return {point - along, point + along};
 }
 
+/// Centre of the domain that receives the fluid, m.
 template <class Sim>
 Vec2 injection_point(const Sim& sim) {
   return sim.network().geometry().centre[sim.network().injection_domain()];
 }
 
+/// Tips, and the mean aperture of the wet channels at the injection domain.
 template <class Sim>
 CrackShape crack_shape(const Sim& sim) {
   const auto& network = sim.network();

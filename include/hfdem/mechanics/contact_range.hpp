@@ -24,10 +24,13 @@ namespace hfdem {
 template <class Law>
 class ContactRange {
  public:
-  using Stiffness = typename Law::template Stiffness<double>;
-  using Memory = typename Law::template Memory<double>;
+  using Stiffness = typename Law::template Stiffness<double>;  ///< what is fixed per contact
+  using Memory = typename Law::template Memory<double>;        ///< what evolves per contact
 
+  /// @param law with its parameters; kept
   /// @param first_row index of this range's first force row; a multiple of `pack_width`
+  /// @param geometry one per contact
+  /// @param stiffness one per contact
   ContactRange(const Law& law, std::size_t first_row, std::span<const ContactGeometry> geometry,
                std::span<const Stiffness> stiffness)
       : law_(law),
@@ -46,19 +49,20 @@ class ContactRange {
     }
   }
 
-  const Law& law() const { return law_; }
-  std::size_t size() const { return size_; }
-  std::size_t first_row() const { return first_row_; }
+  const Law& law() const { return law_; }               ///< with its parameters
+  std::size_t size() const { return size_; }            ///< number of contacts
+  std::size_t first_row() const { return first_row_; }  ///< of contact 0
   /// Number of force rows, unused ones at the end included.
   std::size_t padded_size() const { return bodies_.size() * pack_width; }
 
+  /// The two bodies of contact c.
   Pair bodies(std::size_t c) const {
     const Bodies& b = bodies_[c / pack_width];
     return {b.first[c % pack_width], b.second[c % pack_width]};
   }
-  Frame<double> frame(std::size_t c) const { return frame_[c]; }
-  Stiffness stiffness(std::size_t c) const { return stiffness_[c]; }
-  Memory memory(std::size_t c) const { return memory_[c]; }
+  Frame<double> frame(std::size_t c) const { return frame_[c]; }      ///< normal and arms
+  Stiffness stiffness(std::size_t c) const { return stiffness_[c]; }  ///< at present
+  Memory memory(std::size_t c) const { return memory_[c]; }           ///< at present
 
   /// The present relative motion of one contact.
   Motion<double> motion(std::size_t c, std::span<const Pack> displacement) const {
@@ -106,6 +110,7 @@ class ContactRange {
     }
   }
 
+  /// Leaves contact c with what its law has without a bond.
   void break_bond(std::size_t c) requires BreakableLaw<Law> {
     stiffness_.set(c, law_.broken(stiffness_[c]));
   }

@@ -20,9 +20,10 @@ namespace hfdem {
 /// symmetric however long the run.
 class ForceRows {
  public:
+  /// @param bodies discs and platens
   explicit ForceRows(std::size_t bodies) : pulls_(bodies) {}
 
-  /// Adds contacts whose rows start at `first_row`.
+  /// Adds contacts whose rows start at `first_row`; `padded_size` rows are theirs.
   void add(std::span<const ContactGeometry> contacts, std::size_t first_row,
            std::size_t padded_size) {
     rows_.resize(std::max(rows_.size(), first_row + padded_size), Pack{});
@@ -48,7 +49,9 @@ class ForceRows {
     pulls_ = {};
   }
 
+  /// All rows; the contacts write them.
   std::span<Pack> rows() { return rows_; }
+  /// All rows, as of the last mechanical step.
   std::span<const Pack> rows() const { return rows_; }
 
   /// Sum of the rows that act on a body: (x, y) in N per m; its torque is the sum of the other two.

@@ -16,13 +16,17 @@
 
 namespace hfdem {
 
+/// What holds the specimen: `Loading::Params` says what each kind does.
 enum class BoundaryKind { servo, frozen, dead_loads };
+/// Their names in a parameter file.
 template <>
 inline constexpr auto names_of<BoundaryKind> = std::to_array<std::string_view>({"servo", "frozen",
                                                                                 "dead_loads"});
 
+/// The boundary of one specimen under a given in-situ stress.
 class Loading {
  public:
+  /// Kind of boundary, and the servo's gain.
   struct Params {
     BoundaryKind kind = BoundaryKind::servo;
     double servo_gain = 0.5;
@@ -38,6 +42,7 @@ class Loading {
     }
   };
 
+  /// Free of stress until `set_stress`. Dead loads are shared out by the radii of the rim's discs.
   Loading(const Params& params, const Specimen& specimen)
       : params_(params),
         width_(specimen.width),
@@ -54,11 +59,11 @@ class Loading {
     }
   }
 
-  const Params& params() const { return params_; }
-  bool has_platens() const { return params_.kind != BoundaryKind::dead_loads; }
-  Stress stress() const { return stress_; }
-  double width() const { return width_; }
-  double height() const { return height_; }
+  const Params& params() const { return params_; }                               ///< as given
+  bool has_platens() const { return params_.kind != BoundaryKind::dead_loads; }  ///< or dead loads
+  Stress stress() const { return stress_; }  ///< that the boundary holds, Pa
+  double width() const { return width_; }    ///< of the specimen when it was bonded, m
+  double height() const { return height_; }  ///< of the specimen when it was bonded, m
 
   /// The force that the in-situ stress exerts on one side, N per m.
   double target(Side side) const {
@@ -70,6 +75,7 @@ class Loading {
     stiffness_[static_cast<std::size_t>(side)] += stiffness;
   }
 
+  /// Changes the forces that platens are to hold, or the dead loads.
   void set_stress(Stress stress) {
     stress_ = stress;
     dead_load_.assign(dead_load_.size(), {});

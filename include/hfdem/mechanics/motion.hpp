@@ -15,17 +15,20 @@
 
 namespace hfdem {
 
+/// The time stepping of the discs; platens are moved by `Loading`.
 class DiscMotion {
  public:
   DiscMotion() = default;
+  /// @param discs whose masses it needs
   /// @param dt mechanical time step, s
+  /// @param damping local damping coefficient d
   DiscMotion(const Discs& discs, double dt, double damping)
       : dt_(dt), damping_(damping), largest_in_chunk_((discs.size() + grain - 1) / grain) {
     for (std::size_t i = 0; i < discs.size(); ++i)
       dt_over_inertia_.push_back({dt / discs.mass[i], dt / discs.inertia(i)});
   }
 
-  double dt() const { return dt_; }
+  double dt() const { return dt_; }  ///< mechanical time step, s
 
   /// Gathers all forces on each disc and moves it by one time step.
   /// @returns the largest resultant force on a disc before damping, N per m; not a finite number if

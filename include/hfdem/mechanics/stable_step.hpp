@@ -18,14 +18,17 @@ namespace hfdem {
 /// array).
 class FrequencyBound {
  public:
+  /// @param discs must outlive the bound
   explicit FrequencyBound(const Discs& discs) : discs_(discs), rows_(discs.size()) {}
 
+  /// Adds a contact with its stiffest springs.
   void add(const ContactGeometry& contact, const Springs& k) {
     const Frame<double>& f = contact.frame;
     add_side(contact.bodies.first, f, k, f.arm_mean - f.arm_half_difference, contact.bodies.second);
     add_side(contact.bodies.second, f, k, f.arm_mean + f.arm_half_difference, contact.bodies.first);
   }
 
+  /// The bound for the contacts added so far, 1/s.
   double value() const {
     double largest = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {

@@ -10,8 +10,11 @@ namespace hfdem {
 
 /// The assembly's stiffness if all discs moved with a uniform strain (exact for a square array).
 struct UniformStrainModulus {
-  double xxxx = 0, xxyy = 0, yyyy = 0;  ///< Pa
+  double xxxx = 0, xxyy = 0, yyyy = 0;  ///< component of the stiffness tensor, Pa
 
+  /// Adds a contact.
+  /// @param f its normal
+  /// @param k its springs
   /// @param length between the two sides of the contact, m
   /// @param area of the specimen, m2
   void add(const Frame<double>& f, const Springs& k, double length, double area) {

@@ -29,9 +29,9 @@ inline void write_row(std::ostream& out, std::initializer_list<double> values) {
 
 /// What a history remembers of one instant, SI.
 struct Instant {
-  double time, pressure, net_pressure;
-  measure::CrackShape crack;
-  double fluid_volume, crack_volume;
+  double time, pressure, net_pressure;  ///< s, Pa, Pa; at the injection
+  measure::CrackShape crack;            ///< tips and aperture
+  double fluid_volume, crack_volume;    ///< injected, V_f, and opened, V_c, m2
 };
 
 /// An observer that writes a row every `interval` seconds of simulated time, and remembers it.
@@ -47,6 +47,7 @@ class History {
             "broken_bonds,mechanical_steps,converged\n";
   }
 
+  /// Heard after every fluid step.
   template <class Sim>
   void fluid_step(const Sim& sim, const FluidStep& step) {
     if (sim.time() + 1e-6 * interval_ < next_) return;
@@ -61,6 +62,7 @@ class History {
                      static_cast<double>(sim.mechanical_steps()), step.converged ? 1.0 : 0.0});
   }
 
+  /// The rows written so far.
   const std::vector<Instant>& instants() const { return instants_; }
 
  private:
@@ -77,6 +79,7 @@ void write_profile(std::ostream& out, const Sim& sim) {
     write_row(out, {p.along, p.position.x, p.position.y, p.aperture, p.opening, p.pressure});
 }
 
+/// A mode of failure in a table: `tension` or `shear`.
 constexpr std::string_view name(Mode mode) { return mode == Mode::tension ? "tension" : "shear"; }
 
 /// Every bond that broke during the run (the preset crack is not among them), in order.

@@ -10,10 +10,11 @@
 
 namespace hfdem {
 
-/// A fluid step sets the pressure in all wet domains and relaxes until equilibrium, or until a bond
-/// breaks. Injection is ignored.
+/// A `PressureScheme`: a fluid step sets the pressure in all wet domains and relaxes until
+/// equilibrium, or until a bond breaks. Injection is ignored.
 class HeldPressure {
  public:
+  /// The pressure, and what counts as equilibrium.
   struct Params {
     double pressure = 0;
     double fluid_dt = 1;
@@ -31,15 +32,18 @@ class HeldPressure {
                 "mechanical steps after which a step gives up"}};
     }
   };
-  static constexpr bool holds_fluid = true;
+  static constexpr bool holds_fluid = true;  ///< needs a crack to press on
 
+  /// @param params validated
   explicit HeldPressure(const Params& params) : params_(params) {}
 
+  /// The time that a step counts, s; it means nothing to the mechanics.
   double fluid_dt(double) const { return params_.fluid_dt; }
 
   /// Sets the pressure of the steps to come, Pa.
   void hold(double pressure) { params_.pressure = pressure; }
 
+  /// Relaxes at the held pressure; `converged` says that equilibrium was reached.
   template <class Relax>
   FluidStep advance(Network& network, const Injected&, Relax&& relax) {
     FluidStep step{.converged = false};

@@ -25,8 +25,10 @@
 
 namespace hfdem {
 
+/// A `PressureScheme`: one pressure in the whole crack.
 class UniformPressure {
  public:
+  /// Gain and tolerances.
   struct Params {
     double fluid_dt = 1e-4;
     double alpha = 0.2e6;
@@ -62,12 +64,15 @@ class UniformPressure {
       return p;
     }
   };
-  static constexpr bool holds_fluid = true;
+  static constexpr bool holds_fluid = true;  ///< needs a crack to enter
 
+  /// @param params validated
   explicit UniformPressure(const Params& params) : params_(params.resolved()) {}
 
+  /// Fluid time of a step, s: the same for every step.
   double fluid_dt(double) const { return params_.fluid_dt; }
 
+  /// Adds the injected volume and matches it: dP, one mechanical step, again until the rule is met.
   /// @throws RunStopped if the crack opens far more than was injected: no pressure in the allowed
   ///   range holds it any more
   template <class Relax>

@@ -71,6 +71,7 @@ class HalfEdges {
 }  // namespace detail
 
 /// Builds the fluid network of a bonded specimen.
+/// @param specimen gives the discs' centres
 /// @param contacts all bonded contacts between discs; channel c belongs to contact c.
 inline FlowDomains flow_domains(const Specimen& specimen,
                                 std::span<const ContactGeometry> contacts) {
@@ -138,6 +139,8 @@ inline FlowDomains flow_domains(const Specimen& specimen,
 }
 
 /// The domain that receives the fluid: the one whose centre is nearest.
+/// @param domains of the specimen
+/// @param specimen whose box the position must be in
 /// @param position m; the middle of the specimen if not given
 /// @throws InvalidParameter if the position is not inside the specimen
 inline Index injection_domain(const FlowDomains& domains, const Specimen& specimen,

@@ -16,6 +16,7 @@
 
 namespace hfdem {
 
+/// How long the preset crack is.
 struct PresetCrack {
   int contacts = 4;
   std::optional<double> length{};  ///< takes the place of `contacts`
@@ -36,7 +37,11 @@ inline Vec2 crack_direction(Stress in_situ) {
 }
 
 /// The contacts that the preset crack cuts, nearest to its centre first.
+/// @param crack how many, or how long
+/// @param specimen gives the discs' centres
+/// @param contacts all bonded contacts
 /// @param centre centroid of the injection domain, m
+/// @param direction unit vector along the crack
 /// @throws InvalidParameter if the specimen does not have so many on the crack's line
 inline std::vector<Index> preset_crack(const PresetCrack& crack, const Specimen& specimen,
                                        std::span<const ContactGeometry> contacts, Vec2 centre,

@@ -10,6 +10,7 @@
 
 namespace hfdem {
 
+/// The default is the paper's: 1 m by 1 m of 10,000 discs.
 struct SquareArray {
   int columns = 100;
   int rows = 100;
@@ -26,6 +27,7 @@ struct SquareArray {
   }
 };
 
+/// Builds the array, its lower left corner at the origin; row by row from the bottom.
 /// @throws InvalidParameter if a field is outside its range.
 inline Specimen square_array(const SquareArray& array) {
   validate(array, "specimen");
@@ -47,7 +49,11 @@ inline Specimen square_array(const SquareArray& array) {
   return s;
 }
 
-/// @param radius m
+/// The same with the default density.
+/// @param columns discs side by side
+/// @param rows discs one above the other
+/// @param radius of the discs, m
+/// @throws InvalidParameter if one is outside its range
 inline Specimen square_array(int columns, int rows, double radius) {
   return square_array({.columns = columns, .rows = rows, .radius = radius});
 }

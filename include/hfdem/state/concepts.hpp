@@ -50,6 +50,7 @@ concept gives_springs = requires(const L& law,
   noexcept->std::same_as<Springs>;
 };
 
+/// `responds_to_motion` for one value type.
 template <class L, class T>
 concept responds_for_value_type = requires(const L& law,
                                            const typename L::template Stiffness<T>& stiffness,
@@ -66,6 +67,7 @@ concept responds_for_value_type = requires(const L& law,
 template <class L>
 concept responds_to_motion = responds_for_value_type<L, double> && responds_for_value_type<L, Pack>;
 
+/// `tells_failure` for one value type.
 template <class L, class T>
 concept fails_for_value_type = requires(const L& law,
                                         const typename L::template Stiffness<T>& stiffness,
@@ -116,6 +118,7 @@ concept gives_width = requires(const A& law, double value) {
   noexcept->std::same_as<double>;
 };
 
+/// How wide a flow channel is: a function of its contact's force and gap.
 template <class A>
 concept ApertureLaw = has_described_params<A> && constructible_from_params<A> &&
     gives_rest_width<A> && gives_width<A>;
@@ -136,7 +139,7 @@ concept says_whether_it_holds_fluid = requires {
 
 /// Stands for what the simulator passes: some callable, not a function.
 struct SomeRelax {
-  Relaxed operator()() const;
+  Relaxed operator()() const;  ///< one mechanical step
 };
 
 /// `advance(network, injected, relax)` makes one fluid step, calling `relax()` for each mechanical
@@ -147,6 +150,7 @@ concept advances_fluid = requires(S& scheme, Network& network, const Injected& i
   { scheme.advance(network, injected, relax) } -> std::same_as<FluidStep>;
 };
 
+/// How the fluid's pressure evolves in a fluid step.
 template <class S>
 concept PressureScheme = has_described_params<S> && constructible_from_params<S> &&
     says_whether_it_holds_fluid<S> && gives_fluid_dt<S> && advances_fluid<S>;
@@ -159,7 +163,7 @@ concept searches_specimen = std::constructible_from<N, const Specimen&, double>;
 
 /// Stands for what the simulator passes: some callable, not a function.
 struct SomePairVisitor {
-  void operator()(Pair) const;
+  void operator()(Pair) const;  ///< hears of a candidate
 };
 
 /// `for_each_pair(f)` calls f(Pair) for candidate pairs, each once, first < second.
@@ -168,6 +172,7 @@ concept gives_pairs = requires(const N& search, SomePairVisitor f) {
   search.for_each_pair(f);
 };
 
+/// Which pairs of discs may bond.
 template <class N>
 concept NeighbourSearch = searches_specimen<N> && gives_pairs<N>;
 

@@ -15,16 +15,16 @@ namespace hfdem {
 
 /// Index of a disc, contact, domain; `nothing` stands for none.
 using Index = std::uint32_t;
-inline constexpr Index nothing = ~Index{0};
+inline constexpr Index nothing = ~Index{0};  ///< no disc, contact or domain
 
 /// A disc as a contact law sees it: radius in m.
 struct Disc {
-  double radius;
+  double radius;  ///< m
 };
 
 /// Two discs that may be in contact, first < second.
 struct Pair {
-  Index first, second;
+  Index first, second;  ///< bodies, as `Discs` counts them
   friend constexpr auto operator<=>(const Pair&, const Pair&) = default;
 };
 
@@ -47,8 +47,8 @@ struct Reaction {
 /// The bonds that are over their strength, by mode (a bond over both breaks in tension).
 template <class T>
 struct Failure {
-  MaskOf<T> tension;
-  MaskOf<T> shear;
+  MaskOf<T> tension;  ///< over the tensile strength
+  MaskOf<T> shear;    ///< over the shear strength
 };
 
 /// How a bond broke.
@@ -57,7 +57,7 @@ enum class Mode { tension, shear };
 /// The stiffest tangent springs that a contact can have, N/m per m of thickness (`moment`: N m).
 /// They set the stable time step, the stiffness of platens and the first guess of a load step.
 struct Springs {
-  double normal = 0, shear = 0, moment = 0;
+  double normal = 0, shear = 0, moment = 0;  ///< per m of displacement, or per rad
 };
 
 /// Geometry of contacts, fixed at bonding (small strain).
@@ -91,8 +91,8 @@ struct Frame {
 
 /// A contact as it is set up: its two bodies and the geometry between them.
 struct ContactGeometry {
-  Pair bodies;
-  Frame<double> frame;
+  Pair bodies;          ///< two discs, or a disc and a platen
+  Frame<double> frame;  ///< normal and arms at bonding
 };
 
 /// The row as its contact's first body sees it: all lanes but the last change sign.

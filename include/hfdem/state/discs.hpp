@@ -23,6 +23,7 @@ struct Discs {
   std::vector<Vec2> load;          ///< fluid and dead loads on each disc, N per m
 
   Discs() = default;
+  /// At rest where the specimen has them, without loads.
   explicit Discs(const Specimen& s)
       : centre(s.centre),
         radius(s.radius),
@@ -34,9 +35,10 @@ struct Discs {
       mass[i] = s.density * std::numbers::pi * radius[i] * radius[i];
   }
 
-  std::size_t size() const { return centre.size(); }
+  std::size_t size() const { return centre.size(); }  ///< without the platens
   /// The body that stands for a platen.
   Index platen(Side side) const { return static_cast<Index>(size()) + static_cast<Index>(side); }
+  /// Moment of inertia, m R^2 / 2, kg m2 per m.
   double inertia(std::size_t disc) const { return mass[disc] * radius[disc] * radius[disc] / 2; }
 };
 

@@ -22,6 +22,7 @@ struct Fluid {
   }
 };
 
+/// Where the fluid goes in, and how fast.
 struct Injection {
   double rate = 0.5e-4;
   std::optional<Vec2> position{};  ///< the middle of the specimen if not given

@@ -25,8 +25,8 @@ struct Channel {
 
 /// What unit pressure of a domain does to one disc beside it.
 struct Corner {
-  Index domain;
-  Vec2 push;  ///< the chord between the disc's two contact points, turned outwards, m
+  Index domain;  ///< whose pressure acts
+  Vec2 push;     ///< the chord between the disc's two contact points, turned outwards, m
 };
 
 /// The network's geometry: that of the bonded specimen, for ever (small strain).
@@ -37,7 +37,7 @@ struct FlowDomains {
   std::vector<Index> channels_of;            ///< the channels around each domain
   std::vector<Index> corners_begin;          ///< per disc, into `corners`
   std::vector<Corner> corners;               ///< around each disc, counter-clockwise
-  std::vector<Index> discs_begin, discs_of;  ///< the discs around each domain
+  std::vector<Index> discs_begin, discs_of;  ///< the discs around each domain, in the same way
 };
 
 /// Pressures and widths on the network, and the spreading of fluid through broken contacts.
@@ -48,6 +48,8 @@ struct FlowDomains {
 class Network {
  public:
   Network() = default;
+  /// @param geometry domains, channels and corners; kept
+  /// @param injection_domain wet from the beginning
   /// @param rest_width width of a channel at zero contact force, w0, m
   Network(FlowDomains geometry, Index injection_domain, double rest_width)
       : geometry_(std::move(geometry)),
@@ -62,26 +64,33 @@ class Network {
     wet(injection_domain_);
   }
 
-  const FlowDomains& geometry() const { return geometry_; }
-  Index injection_domain() const { return injection_domain_; }
+  const FlowDomains& geometry() const { return geometry_; }     ///< that of the bonded specimen
+  Index injection_domain() const { return injection_domain_; }  ///< that receives the fluid
   /// Channels that hold fluid, in the order in which they got it.
   std::span<const Index> wet_channels() const { return wet_channels_; }
+  /// Domains that hold fluid, the injection domain first, in the order in which they got it.
   std::span<const Index> wet_domains() const { return wet_domains_; }
   /// Discs that touch a wet domain.
   std::span<const Index> pushed_discs() const { return pushed_discs_; }
+  /// Whether the channel's bond has broken.
   bool is_open(Index channel) const { return open_[channel]; }
+  /// Whether the channel holds fluid.
   bool is_wet(Index channel) const { return wet_channel_[channel]; }
   /// Whether a wet channel lies on the rim: the fluid would leave the specimen there.
   bool reached_rim() const { return reached_rim_; }
 
+  /// Fluid pressure of a domain, Pa; zero while it is dry.
   double pressure(Index domain) const { return pressure_[domain]; }
+  /// Fluid pressures, Pa, one per domain.
   std::span<const double> pressures() const { return pressure_; }
   /// Hydraulic aperture w of a channel, m; zero while it is dry.
   double width(Index channel) const { return width_[channel]; }
   /// Aperture at zero contact force, w0, m; what is taken as filled when the channel turns wet.
   double rest_width(Index channel) const { return rest_width_[channel]; }
 
+  /// Sets the hydraulic aperture of a wet channel, m.
   void set_width(Index channel, double width) { width_[channel] = width; }
+  /// Sets the pressure of a wet domain, Pa.
   void set_pressure(Index domain, double pressure) {
     assert(wet_domain_[domain]);
     pressure_[domain] = pressure;
@@ -116,9 +125,11 @@ class Network {
     return volume;
   }
 
+  /// The channels around a domain, counter-clockwise.
   std::span<const Index> channels_of(Index domain) const {
     return slice(geometry_.channels_begin, geometry_.channels_of, domain);
   }
+  /// The discs around a domain, counter-clockwise.
   std::span<const Index> discs_of(Index domain) const {
     return slice(geometry_.discs_begin, geometry_.discs_of, domain);
   }

@@ -14,6 +14,7 @@ namespace hfdem {
 
 /// The four sides of the box, in this order everywhere.
 enum class Side { left, right, bottom, top };
+/// All of them, for loops.
 inline constexpr std::array<Side, 4> all_sides{Side::left, Side::right, Side::bottom, Side::top};
 
 /// Unit normal of a side, pointing out of the specimen.
@@ -30,6 +31,7 @@ constexpr Vec2 outward(Side side) {
   }
   return {0, 1};
 }
+/// Whether a side's normal is along x.
 constexpr bool is_vertical(Side side) { return side == Side::left || side == Side::right; }
 
 /// In-situ principal stresses along the axes, Pa, compression positive.
@@ -54,8 +56,9 @@ struct Specimen {
   /// Known neighbours, for the search `FixedPairs`; other searches do not need them.
   std::vector<Pair> pairs{};
 
-  std::size_t size() const { return centre.size(); }
+  std::size_t size() const { return centre.size(); }  ///< number of discs
 
+  /// Distance between two discs' surfaces, m; negative where they overlap.
   double gap(Pair p) const {
     return norm(centre[p.second] - centre[p.first]) - radius[p.first] - radius[p.second];
   }
@@ -65,6 +68,7 @@ struct Specimen {
     return (side == Side::right || side == Side::top ? dot(corner, out) : 0.0) -
            dot(centre[disc], out) - radius[disc];
   }
+  /// Whether a disc touches the platen of a side.
   bool touches(Index disc, Side side) const { return gap(disc, side) <= bonding_gap; }
 };
 

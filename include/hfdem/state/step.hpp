@@ -19,7 +19,7 @@ struct Injected {
 
 /// How a fluid step went.
 struct FluidStep {
-  int mechanical_steps = 0;
+  int mechanical_steps = 0;     ///< made in this fluid step
   bool converged = true;        ///< the scheme's own tolerances were met
   double volume_error = 0;      ///< |V_f - V_c| / V_f
   double unbalanced_ratio = 0;  ///< at the last mechanical step
