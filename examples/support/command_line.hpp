@@ -2,12 +2,14 @@
 /// The options that every program of a run shares.
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "support/output_folder.hpp"
 #include "support/settings.hpp"
 
 namespace hfdem::support {
@@ -44,5 +46,21 @@ struct CommandLine {
     validate_all(parameters);
   }
 };
+
+/// Runs a program's body and turns what it throws into a sentence and an exit status.
+template <class Body>
+int guarded(const char* program, const CLI::App& app, Body&& body) {
+  try {
+    return body();
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? success : bad_input;
+  } catch (const InvalidParameter& e) {
+    std::fprintf(stderr, "%s: %s\n", program, e.what());
+    return bad_input;
+  } catch (const OutputFailed& e) {
+    std::fprintf(stderr, "%s: %s\n", program, e.what());
+    return output_failed;
+  }
+}
 
 }  // namespace hfdem::support

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <string>
 #include <unistd.h>
 
 namespace hfdem::support {
@@ -18,34 +19,47 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// An observer that rewrites one line on standard error, five times a second, if that is a
-/// terminal.
-class Progress {
+/// One line on standard error, rewritten at most five times a second, if that is a terminal.
+class ProgressLine {
  public:
-  Progress(double end_time, bool quiet) : end_(end_time), shown_(!quiet && isatty(2) == 1) {}
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress() { clear(); }
+  explicit ProgressLine(bool quiet) : shown_(!quiet && isatty(2) == 1) {}
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (written_) std::fprintf(stderr, "\r%60s\r", "");
+  }
 
-  template <class Sim>
-  void operator()(const Sim& sim) {
+  /// @param done part of the whole, 0 to 1
+  void show(double done, const std::string& where) {
     if (!shown_ || watch_.seconds() < next_) return;
     next_ = watch_.seconds() + 0.2;
-    const double done = sim.time() / end_;
-    std::fprintf(stderr, "\r  t = %.3f of %.3g s  %3.0f %%  about %.0f s left   ", sim.time(), end_,
-                 100 * done, watch_.seconds() * (1 - done) / done);
+    std::fprintf(stderr, "\r  %s  %3.0f %%", where.c_str(), 100 * done);
+    if (done > 0)
+      std::fprintf(stderr, "  about %.0f s left   ", watch_.seconds() * (1 - done) / done);
     written_ = true;
   }
 
-  void clear() {
-    if (written_) std::fprintf(stderr, "\r%60s\r", "");
-    written_ = false;
+ private:
+  double next_ = 0.5;
+  bool shown_, written_ = false;
+  Stopwatch watch_;
+};
+
+/// An observer of a run.
+class Progress {
+ public:
+  Progress(double end_time, bool quiet) : end_(end_time), line_(quiet) {}
+
+  template <class Sim>
+  void operator()(const Sim& sim) {
+    char where[64];
+    std::snprintf(where, sizeof where, "t = %.3f of %.3g s", sim.time(), end_);
+    line_.show(sim.time() / end_, where);
   }
 
  private:
-  double end_, next_ = 0.5;
-  bool shown_, written_ = false;
-  Stopwatch watch_;
+  double end_;
+  ProgressLine line_;
 };
 
 }  // namespace hfdem::support

@@ -40,6 +40,8 @@ template <ContactLaw Contact, ApertureLaw Aperture, PressureScheme Pressure,
 class Simulator {
  public:
   using Params = SimulatorParams<Contact, Aperture, Pressure>;  ///< sections of a parameter file
+  using ContactPolicy = Contact;                                ///< as composed
+  using NeighbourPolicy = Neighbours;                           ///< as composed
 
   /// Bonds, cuts the preset crack, settles.
   /// @throws InvalidParameter naming the field that is wrong

@@ -69,7 +69,7 @@ constexpr bool incomplete_law = law_lacks<L> == (0 | ... | atoms) && !ContactLaw
 
 static_assert(law_lacks<Law> == 0 && ContactLaw<Law>);
 static_assert(incomplete_law<WithoutFields<Law>, law_params>);
-static_assert(incomplete_law<WithParams<Law, ParamsWithConstructor>, law_params>);
+static_assert(incomplete_law<LawWithClosedParams, law_params>);
 static_assert(incomplete_law<WithParams<Law, ParamsWithoutDefaults>, law_params>);
 static_assert(incomplete_law<MadeFromNothing<Law>, law_from_params>);
 static_assert(incomplete_law<LawWithoutStiffness, stiffness_of_two_discs>);

@@ -8,8 +8,8 @@ import sys
 
 # Folders, and the headers outside of them.
 LEVELS = {
-    "base": 0, "analytic": 0,
-    "state": 1,
+    "base": 0,
+    "analytic": 1, "state": 1,
     "contact": 2, "aperture": 2, "leakoff": 2, "neighbours": 2,
     "pressure": 3, "mechanics": 3, "setup": 3,
     "simulator_params.hpp": 4, "simulator_observers.hpp": 4, "simulator.hpp": 4,

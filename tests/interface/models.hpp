@@ -1,24 +1,33 @@
 /// @file
-/// For each concept the least that it accepts, and for every atom a model that lacks only that one.
+/// For every atom of a concept a model that lacks only that one.
 #pragma once
 
 #include <tuple>
 
 #include <hfdem/state/concepts.hpp>
 
+#include "least/aperture_law.hpp"
+#include "least/contact_law.hpp"
+#include "least/neighbour_search.hpp"
+#include "least/pressure_scheme.hpp"
+
 namespace models {
 
 using namespace hfdem;
 
-struct NoParams {
+using Law = GluedSprings;
+using Aperture = RoughWalls;
+using Scheme = PressureSteps;
+using Search = AllPairs;
+
+struct ParamsWithoutFields {};
+struct ParamsWithConstructor {
+  ParamsWithConstructor() {}
   static constexpr auto fields() { return std::tuple{}; }
 };
-struct ParamsWithoutFields {};
-struct ParamsWithConstructor : NoParams {
-  ParamsWithConstructor() {}
-};
-struct ParamsWithoutDefaults : NoParams {
+struct ParamsWithoutDefaults {
   double& host;
+  static constexpr auto fields() { return std::tuple{}; }
 };
 
 /// Gives a policy other parameters, from which it can still be made.
@@ -38,38 +47,7 @@ struct MadeFromNothing : Policy {
 
 // ---- contact law ------------------------------------------------------------------------------
 
-/// A spring that never breaks.
-struct Law {
-  using Params = NoParams;
-  template <class T>
-  struct Stiffness {
-    T normal;
-  };
-  template <class T>
-  struct Memory {};
-  template <class T>
-  struct Response {
-    T normal;
-    Memory<T> memory;
-    Reaction<T> reaction() const { return {normal, T{}, T{}}; }
-  };
-
-  explicit Law(const Params&) {}
-
-  Stiffness<double> stiffness(Disc, Disc) const noexcept { return {1}; }
-  Stiffness<double> broken(const Stiffness<double>& k) const noexcept { return k; }
-  Springs springs(const Stiffness<double>& k) const noexcept { return {.normal = k.normal}; }
-
-  template <class T>
-  Response<T> respond(const Stiffness<T>& k, const Memory<T>& memory,
-                      const Motion<T>& motion) const noexcept {
-    return {-(k.normal * motion.opening), memory};
-  }
-  template <class T>
-  Failure<T> failure(const Stiffness<T>&, const Response<T>&) const noexcept {
-    return {MaskOf<T>{}, MaskOf<T>{}};
-  }
-};
+using LawWithClosedParams = WithParams<Law, ParamsWithConstructor>;
 
 struct LawWithClosedStiffness : Law {
   using Law::Law;
@@ -141,13 +119,6 @@ struct LawWithoutBroken : Law {
 
 // ---- aperture law -----------------------------------------------------------------------------
 
-struct Aperture {
-  using Params = NoParams;
-  explicit Aperture(const Params&) {}
-  double rest_width() const noexcept { return 1; }
-  double width(double w0, double, double gap) const noexcept { return w0 + gap; }
-};
-
 struct ApertureWithoutRestWidth : Aperture {
   using Aperture::Aperture;
   void rest_width() = delete;
@@ -159,17 +130,6 @@ struct ApertureWithoutWidth : Aperture {
 };
 
 // ---- pressure scheme --------------------------------------------------------------------------
-
-struct Scheme {
-  using Params = NoParams;
-  static constexpr bool holds_fluid = false;
-  explicit Scheme(const Params&) {}
-  double fluid_dt(double mechanical_dt) const { return mechanical_dt; }
-  template <class Relax>
-  FluidStep advance(Network&, const Injected&, Relax&& relax) {
-    return {.unbalanced_ratio = relax().unbalanced_ratio};
-  }
-};
 
 /// It does not say whether it holds fluid.
 struct SchemeWithoutWord : Scheme {
@@ -188,14 +148,6 @@ struct SchemeWithoutAdvance : Scheme {
 };
 
 // ---- neighbour search -------------------------------------------------------------------------
-
-struct Search {
-  Search(const Specimen&, double) {}
-  template <class F>
-  void for_each_pair(F&& f) const {
-    f(Pair{0, 1});
-  }
-};
 
 struct SearchWithoutReach : Search {
   explicit SearchWithoutReach(const Specimen& specimen) : Search(specimen, 0) {}

@@ -16,6 +16,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOND = "contact/linear_parallel_bond.hpp"
+PLATE, FIELDS, SOLVER, GROWTH = (f"analytic/plate{s}.hpp" for s in ("", "_fields", "_solver", "_growth"))
 
 # name, header, what stands there, what a careless hand writes, the tests that must see it
 MUTATIONS = [
@@ -48,6 +49,29 @@ MUTATIONS = [
     ("in-situ force on a side", "mechanics/loading.hpp", "stress_.xx * height_", "1.05 * stress_.xx * height_", "loops/loading"),
     ("coefficient of the KGD length", "analytic/kgd.hpp", "2 * std::numbers::sqrt2", "2.1 * std::numbers::sqrt2", "physics/closed_forms"),
     ("K' of the KGD solution", "analytic/kgd.hpp", "return 4 * std::sqrt", "return 4.2 * std::sqrt", "physics/closed_forms"),
+    ("roots of the orthotropic plane", FIELDS, "std::sqrt((r - 1.0) / 2.0)", "std::sqrt((r - 1.0) / 2.1)", "analytic/plate"),
+    ("shear of the crack's fields", FIELDS, "-d.real(),", "-1.05 * d.real(),", "analytic/plate"),
+    ("stress across the crack's fields", FIELDS, "(F.at_2 - mu_2_ * d).real()", "(F.at_2 - 1.05 * mu_2_ * d).real()", "analytic/plate"),
+    ("displacement across the crack's fields", FIELDS, "(mu_2_ * mu_2_ * e - (mu_1_", "(1.05 * mu_2_ * mu_2_ * e - (mu_1_", "analytic/plate"),
+    ("displacement of the plate's other fields", FIELDS, "(i * (integral.at_2 - mu_2_ * e))", "(i * (integral.at_2 - 1.05 * mu_2_ * e))", "analytic/plate"),
+    ("stress of the plate's other fields", FIELDS, "(i * ((mu_1_ + mu_2_) * A.at_2", "(i * (1.05 * (mu_1_ + mu_2_) * A.at_2", "analytic/plate"),
+    ("tip of the crack in the plate", FIELDS, "std::sqrt(z - a_) *", "std::sqrt(z - 1.05 * a_) *", "analytic/plate"),
+    ("images of the crack in the sides", FIELDS, "images_(2 - a)", "images_(1.2)", "analytic/plate"),
+    ("pull on the plate", SOLVER, "(rigid_ ? height_ : 1);", "(rigid_ ? height_ : 1.05);", "analytic/plate"),
+    ("sides of the plate free of shear", SOLVER, "field[row + 1] = root_weight", "field[row + 1] = 0 * root_weight", "analytic/plate"),
+    ("mean stress of the platens", SOLVER, "+= weight * t.yy;", "+= 1.05 * weight * t.yy;", "analytic/plate"),
+    ("volume of the plate's crack", SOLVER, "+= 4 * sine", "+= 4.2 * sine", "analytic/plate"),
+    ("E' of the orthotropic plane", PLATE, "2 * E / std::sqrt(2 + 2 * rho())", "2 * E / std::sqrt(2.2 + 2 * rho())", "analytic/plate"),
+    ("rho of the orthotropic plane", PLATE, "E / (2 * G) - poisson", "E / (2 * G) + poisson", "analytic/plate"),
+    ("stiffness of the walls that hold a plate", PLATE, "(1 - rock.poisson * rock.poisson)", "1.05", "analytic/plate"),
+    ("Poisson's ratio in plane strain", PLATE, "poisson / (1 - poisson)", "poisson", "analytic/plate"),
+    ("energy release of the plate's crack", PLATE, "std::sqrt(volume + t * slope)", "std::sqrt(volume + 0.95 * t * slope)", "analytic/plate"),
+    ("K_I in the plate", PLATE, "std::sqrt(std::numbers::pi * full_length / 2)", "std::sqrt(1.1 * std::numbers::pi * full_length / 2)", "analytic/plate"),
+    ("opening in the plate", PLATE, "return 2 * net_pressure * full", "return 2.1 * net_pressure * full", "analytic/plate"),
+    ("volume in the plate", PLATE, "return std::numbers::pi / 2 * net", "return std::numbers::pi / 2.1 * net", "analytic/plate"),
+    ("toughness that grows with pressure", GROWTH, "- rock_.per_pressure;", "- 1.05 * rock_.per_pressure;", "analytic/plate"),
+    ("length at which the plate splits", GROWTH, "extremum(to * step, step, 1);", "0.99 * extremum(to * step, step, 1);", "analytic/plate"),
+    ("last length of the growth", GROWTH, "volume(std::fmin(n * step, plate_.longest()))", "volume(n * step)", "analytic/plate"),
 ]
 
 FLAGS = "-std=c++20 -O1 -w -ffp-contract=off -I/usr/include/eigen3".split()

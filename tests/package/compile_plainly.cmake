@@ -4,7 +4,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/check_output.cmake)
 file(REMOVE_RECURSE ${BUILD})
 file(MAKE_DIRECTORY ${BUILD})
 execute_process(COMMAND ${COMPILER} -std=c++20 -O1 -Wall -Wextra -Wpedantic -Werror
-                        -I${PREFIX}/include -MD -MF ${BUILD}/headers -o ${BUILD}/pressure ${PROGRAM}
+                        -I${PREFIX}/include -MD -MF ${BUILD}/headers -o ${BUILD}/host ${PROGRAM}
                 COMMAND_ERROR_IS_FATAL ANY)
 
 file(READ ${BUILD}/headers headers)
@@ -12,4 +12,4 @@ if(headers MATCHES "[^ ]*/(doctest|eigen3|Eigen|CLI|benchmark|nlohmann|boost)/[^
   message(FATAL_ERROR "A simple program needs ${CMAKE_MATCH_0}")
 endif()
 
-check_output(${BUILD}/pressure)
+check_output(${BUILD}/host)

@@ -12,7 +12,7 @@ using Kgd = hfdem::Simulator<hfdem::LinearParallelBond, hfdem::HyperbolicApertur
                              hfdem::UniformPressure, hfdem::FixedPairs>;
 
 struct Sample {
-  double time, length, opening;
+  double time, length, opening, net_pressure;
 };
 
 /// The advance of both tips from `contacts` to `contacts + 2` broken ones.
@@ -39,16 +39,18 @@ struct VerificationRun {
   }
 };
 
-inline VerificationRun verify(const hfdem::UniformPressure::Params& scheme, double end_time = 0.9) {
-  Kgd sim{hfdem::square_array({}), {.scheme = scheme}};
+inline VerificationRun inject(const Kgd::Params& params, const hfdem::SquareArray& array,
+                              double end_time) {
+  Kgd sim{hfdem::square_array(array), params};
+  const double far_field = params.in_situ.xx;
   VerificationRun run;
   sim.run_until(end_time, [&](const Kgd& s) {
     const auto shape = hfdem::measure::crack_shape(s);
-    run.samples.push_back({s.time(), shape.full_length(), shape.opening});
+    run.samples.push_back(
+        {s.time(), shape.full_length(), shape.opening, s.injection_pressure() - far_field});
     if (std::abs(shape.tip_up - shape.tip_down) > 1e-9) run.tips_always_equal = false;
   });
   const auto breaks = sim.breaks();
-  const double far_field = sim.params().in_situ.xx;
   int contacts = static_cast<int>(sim.preset_contacts().size());
   for (std::size_t b = 0; b + 1 < breaks.size(); b += 2, contacts += 2)
     run.advances.push_back({contacts, breaks[b].time, breaks[b].pressure - far_field});
@@ -56,6 +58,10 @@ inline VerificationRun verify(const hfdem::UniformPressure::Params& scheme, doub
   run.off_plane = hfdem::measure::broken_off_plane(sim);
   run.mechanical_steps = sim.mechanical_steps();
   return run;
+}
+
+inline VerificationRun verify(const hfdem::UniformPressure::Params& scheme, double end_time = 0.9) {
+  return inject({.scheme = scheme}, {}, end_time);
 }
 
 /// Run once, used by several tests.

@@ -134,7 +134,9 @@ class ContactRange {
     return frame_.block(block).motion(a, b, c, d);
   }
 
-  PackMask evaluate_block(std::size_t b, const Pack* displacement, Pack* force) {
+  /// Inlined even where little is: a function that returns a pack has no portable way to.
+  [[gnu::always_inline]] PackMask evaluate_block(std::size_t b, const Pack* displacement,
+                                                 Pack* force) {
     const auto& k = stiffness_.block(b);
     const auto response = law_.respond(k, memory_.block(b), block_motion(b, displacement));
     if (memory_.differs(b, response.memory)) memory_.block(b) = response.memory;

@@ -44,6 +44,21 @@ struct Reaction {
   T moment;  ///< that resists relative rotation, N m per m; acts as -moment on the second disc
 };
 
+/// For laws that remember nothing, whose response is their reaction: derive from it instead of
+/// writing `Memory` and `Response`.
+struct WithoutMemory {
+  template <class T>
+  struct Memory {};  ///< nothing evolves
+
+  /// What a motion without history leads to.
+  template <class T>
+  struct Response {
+    Reaction<T> force;                              ///< on the two sides
+    Memory<T> memory{};                             ///< as before
+    Reaction<T> reaction() const { return force; }  ///< the force
+  };
+};
+
 /// The bonds that are over their strength, by mode (a bond over both breaks in tension).
 template <class T>
 struct Failure {

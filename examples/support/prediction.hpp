@@ -1,0 +1,95 @@
+/// @file
+/// What measured toughness predicts for a run of the verification model.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <hfdem/analytic/kgd_regime.hpp>
+#include <hfdem/analytic/stepwise_growth.hpp>
+
+#include "support/plate_of_lattice.hpp"
+#include "support/run_report.hpp"
+
+namespace hfdem::support {
+
+/// Every parameter of a tree and its value as a parameter file has it.
+template <class Tree>
+std::vector<std::pair<std::string, std::string>> written_values(const Tree& tree) {
+  std::vector<std::pair<std::string, std::string>> all;
+  tree.for_each_section([&](std::string_view name, const auto& section) {
+    for_each_field<std::remove_cvref_t<decltype(section)>>([&](const auto& field) {
+      all.emplace_back(std::string(name) + "." + std::string(field.name),
+                       detail::exact(section.*(field.member)));
+    });
+  });
+  return all;
+}
+
+/// The crack of a run, from slits of the same lattice: in the specimen and in an infinite plane.
+class Prediction {
+ public:
+  /// @param preset_contacts broken ones when the injection begins
+  /// @throws InvalidParameter if the specimen is no plate that the solution knows
+  Prediction(const MeasuredToughness& measured, const KgdConfig& config, int preset_contacts)
+      : rock_(measured.toughness),
+        rate_(config.simulator.injection.rate),
+        viscosity_(config.simulator.fluid.viscosity),
+        growth_(
+            plate_of(config.specimen, config.simulator.boundary, config.simulator.in_situ, rock_),
+            rock_, 2 * config.specimen.radius, preset_contacts) {
+    find_differences(measured.lattice, config);
+  }
+
+  const analytic::LatticeFracture& rock() const { return rock_; }
+
+  /// Parameters of the run that are not those of the slits, in words.
+  const std::vector<std::string>& differences() const { return differences_; }
+
+  /// In the specimen, step by step; nothing once it has split.
+  std::optional<analytic::StepwiseGrowth::State> in_specimen(double time) const {
+    return growth_.at(rate_ * time);
+  }
+
+  /// In an infinite plane, toughness alone, with the K_IC of its own net pressure.
+  analytic::KgdFracture in_plane(double time) const {
+    return analytic::storage_toughness(problem(time));
+  }
+
+  /// The run in the terms of the map of regimes.
+  analytic::KgdProblem problem(double time) const {
+    analytic::KgdProblem p{.E_prime = rock_.E_prime,
+                           .K_IC = rock_.K_IC,
+                           .viscosity = viscosity_,
+                           .rate = rate_,
+                           .time = time};
+    // The toughness is that of the net pressure that it makes itself: a contraction.
+    for (int round = 0; round < 60; ++round)
+      p.K_IC = rock_.toughness(analytic::storage_toughness(p).net_pressure);
+    return p;
+  }
+
+ private:
+  /// The plate takes care of the size of the array, and the density of a lattice at rest and the
+  /// gain of its servo do not matter.
+  void find_differences(const Lattice& measured, const KgdConfig& config) {
+    const auto run = written_values(config);
+    for (const auto& [name, there] : written_values(measured)) {
+      if (name == "specimen.columns" || name == "specimen.rows" || name == "specimen.density" ||
+          name == "boundary.servo_gain")
+        continue;
+      for (const auto& [other, here] : run)
+        if (other == name && here != there)
+          differences_.push_back(name + " is " + here + ", and was " + there + " for the slits");
+    }
+  }
+
+  analytic::LatticeFracture rock_;
+  double rate_, viscosity_;
+  analytic::StepwiseGrowth growth_;
+  std::vector<std::string> differences_;
+};
+
+}  // namespace hfdem::support

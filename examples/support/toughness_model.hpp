@@ -1,0 +1,120 @@
+/// @file
+/// Slit tests of the verification model's lattice, and the file that hands their result on.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <hfdem/analytic/lattice_fracture.hpp>
+#include <hfdem/measure/slit.hpp>
+#include <hfdem/measure/toughness.hpp>
+
+#include "support/kgd_model.hpp"
+#include "support/settings.hpp"
+
+namespace hfdem::support {
+
+using LatticeSlit = measure::Slit<LinearParallelBond, HyperbolicAperture, FixedPairs>;
+
+/// The sections that shape a toughness; a run and the slits that explain it should share them.
+struct Lattice {
+  SquareArray specimen;
+  LinearParallelBond::Params contact;
+  HyperbolicAperture::Params aperture;
+  Loading::Params boundary;
+  Stress in_situ;
+
+  template <class F>
+  void for_each_section(F&& f) {
+    visit(*this, f);
+  }
+  template <class F>
+  void for_each_section(F&& f) const {
+    visit(*this, f);
+  }
+
+ private:
+  template <class Self, class F>
+  static void visit(Self& self, F& f) {
+    f("specimen", self.specimen);
+    f("contact", self.contact);
+    f("aperture", self.aperture);
+    f("boundary", self.boundary);
+    f("in_situ", self.in_situ);
+  }
+};
+
+/// The parameter file's sections.
+struct ToughnessConfig {
+  Lattice lattice;
+  Mechanics mechanics;
+  HeldPressure::Params scheme{.unbalanced_tolerance = 3e-7, .max_mechanical_steps = 100000};
+  measure::SlitSeries slits;
+
+  template <class F>
+  void for_each_section(F&& f) {
+    visit(*this, f);
+  }
+  template <class F>
+  void for_each_section(F&& f) const {
+    visit(*this, f);
+  }
+
+  /// Short slits in a 40 x 40 array.
+  static ToughnessConfig quick() {
+    ToughnessConfig config;
+    config.lattice.specimen.columns = config.lattice.specimen.rows = 40;
+    config.slits = {.shortest = 6, .longest = 16, .count = 3};
+    config.scheme.unbalanced_tolerance = 3e-6;
+    return config;
+  }
+
+ private:
+  template <class Self, class F>
+  static void visit(Self& self, F& f) {
+    self.lattice.for_each_section(f);
+    f("mechanics", self.mechanics);
+    f("scheme", self.scheme);
+    f("slits", self.slits);
+  }
+};
+
+/// What a toughness file holds: the numbers, and the lattice that they belong to.
+struct MeasuredToughness {
+  analytic::LatticeFracture toughness;
+  Lattice lattice;
+
+  template <class F>
+  void for_each_section(F&& f) {
+    f("toughness", toughness);
+    lattice.for_each_section(f);
+  }
+  template <class F>
+  void for_each_section(F&& f) const {
+    f("toughness", toughness);
+    lattice.for_each_section(f);
+  }
+};
+
+/// @throws InvalidParameter with the line if the file is not a whole toughness file
+inline MeasuredToughness read_toughness(const std::string& path) {
+  MeasuredToughness measured;
+  for (const Setting& s : read_toml(path)) apply(measured, s);
+  try {
+    validate_all(measured);
+  } catch (const InvalidParameter& e) {
+    throw InvalidParameter(path + " is no whole toughness file: " + e.what());
+  }
+  return measured;
+}
+
+/// Young's modulus, Poisson's ratio and shear modulus of a square array whose contacts are closed:
+/// columns of springs, which pure shear strains by half its angle each.
+inline analytic::LatticeFracture square_lattice(const Lattice& lattice) {
+  const LinearParallelBond law(lattice.contact);
+  const Disc disc{lattice.specimen.radius};
+  const Springs springs = law.springs(law.stiffness(disc, disc));
+  return {.E = springs.normal, .poisson_ratio = 0, .shear_modulus = springs.shear / 2};
+}
+
+}  // namespace hfdem::support

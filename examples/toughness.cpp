@@ -1,0 +1,90 @@
+// The modulus and the toughness of the verification model's lattice, measured instead of fitted:
+// slits of several lengths are held open by a given pressure until the first bond reaches its
+// strength.
+//
+//   build/release/examples/toughness --out out/toughness
+//
+// You should see, after about half a minute, E' = 25.8 GPa, which is 0.76 of Young's modulus, and a
+// toughness that grows with the net pressure from 1.68 to 1.84 MPa sqrt(m). The file toughness.toml
+// is what `kgd --toughness` reads.
+#include <cmath>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+
+#include "support/command_line.hpp"
+#include "support/manifest.hpp"
+#include "support/plate_of_lattice.hpp"
+#include "support/polite_threads.hpp"
+#include "support/progress.hpp"
+#include "support/toughness_results.hpp"
+
+using namespace hfdem;
+using namespace hfdem::support;
+
+namespace {
+
+std::vector<measure::SlitTest> test_slits(const ToughnessConfig& config, int threads, bool quiet) {
+  const Lattice& lattice = config.lattice;
+  const double closing = std::fmin(lattice.in_situ.xx, lattice.in_situ.yy);
+  const std::vector<int> lengths = config.slits.contacts();
+  ProgressLine progress(quiet);
+  std::vector<measure::SlitTest> tests;
+  for (const int contacts : lengths) {
+    LatticeSlit slit(square_array(lattice.specimen),
+                     {.contact = lattice.contact,
+                      .aperture = lattice.aperture,
+                      .boundary = lattice.boundary,
+                      .in_situ = lattice.in_situ,
+                      .mechanics = config.mechanics,
+                      .scheme = config.scheme},
+                     contacts);
+    slit.use_threads(threads);
+    // Well below the first break; a longer slit breaks at less pressure, about as 1 / sqrt(a).
+    const double start = tests.empty()
+                             ? 0.1 * std::fmax(closing, 1e6)
+                             : 0.8 * tests.back().net_pressure_at_break *
+                                   std::sqrt(tests.back().half_length / slit.half_length());
+    tests.push_back(slit.test(start, config.slits.accuracy));
+    progress.show(static_cast<double>(tests.size()) / static_cast<double>(lengths.size()),
+                  "slit of " + in_words(2 * slit.half_length()) + " m");
+  }
+  return tests;
+}
+
+int run(const CommandLine& options, const ToughnessConfig& config, const Manifest& manifest) {
+  const OutputFolder folder(options.out);
+  folder.write("config.toml", to_toml(config));
+  try {
+    const Stopwatch watch;
+    const auto slits = test_slits(config, options.threads, options.quiet);
+    const Lattice& l = config.lattice;
+    const analytic::LatticeFracture rock = square_lattice(l);
+    const auto test =
+        measure::toughness_test(slits, plate_of(l.specimen, l.boundary, l.in_situ, rock), rock);
+    const ToughnessResults results(config, test, manifest, watch.seconds());
+    results.write(folder);
+    if (!options.quiet)
+      std::printf("%sOpen this in a browser: %s/report.html\n", results.text().c_str(),
+                  options.out.c_str());
+    return success;
+  } catch (const RunStopped& reason) {
+    std::fprintf(stderr, "toughness: the run stopped: %s\n", reason.what());
+    return run_stopped;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"The modulus and toughness of a square array of bonded discs, by slit tests"};
+  CommandLine options;
+  options.add_to(app);
+  return guarded("toughness", app, [&] {
+    app.parse(argc, argv);
+    let_waiting_threads_sleep(options.threads, argv);
+    ToughnessConfig config = options.quick ? ToughnessConfig::quick() : ToughnessConfig{};
+    options.configure(config);
+    return run(options, config, manifest("toughness", argc, argv, options.threads));
+  });
+}

@@ -1,0 +1,73 @@
+/// @file
+/// The least models of the concept pages do what their pages say, and make a simulator together.
+#include <hfdem/measure/crack.hpp>
+#include <hfdem/measure/elastic_moduli.hpp>
+#include <hfdem/neighbours/fixed_pairs.hpp>
+#include <hfdem/setup/square_array.hpp>
+#include <hfdem/simulator.hpp>
+
+#include <doctest/doctest.h>
+
+#include "models.hpp"
+
+using namespace models;
+using doctest::Approx;
+
+namespace {
+
+using Sim = Simulator<GluedSprings, RoughWalls, PressureSteps, AllPairs>;
+
+TEST_CASE("glued springs pull until their strength, and push on when broken") {
+  const GluedSprings law({.E = 20e9, .tensile_strength = 5e6});
+  const auto k = law.stiffness({2e-3}, {6e-3});  // area 4 mm, length 8 mm
+  const double at_strength = 5e6 * 4e-3 / 10e9;
+  const auto force = [&](const auto& stiffness, double opening) {
+    return law.respond(stiffness, {}, Motion<double>{.opening = opening}).reaction().normal;
+  };
+  CHECK(force(k, at_strength) == Approx(-5e6 * 4e-3).epsilon(1e-12));
+  CHECK(force(law.broken(k), at_strength) == 0);
+  CHECK(force(law.broken(k), -1e-6) == Approx(10e9 * 1e-6).epsilon(1e-12));
+  const auto breaks = [&](double opening) {
+    return law.failure(k, law.respond(k, {}, Motion<double>{.opening = opening})).tension;
+  };
+  CHECK(!breaks(0.999 * at_strength));
+  CHECK(breaks(1.001 * at_strength));
+}
+
+TEST_CASE("a square array of glued springs has the stiffness of its springs") {
+  const auto moduli = measure::elastic_moduli<GluedSprings, AllPairs>(square_array(6, 6, 5e-3),
+                                                                      {.E = 20e9}, {5e6, 5e6});
+  CHECK(moduli.young == Approx(20e9).epsilon(1e-3));
+  CHECK(moduli.poisson == Approx(0).epsilon(1e-3));
+}
+
+TEST_CASE("the search through all pairs finds the neighbours of a square array") {
+  const Specimen specimen = square_array(7, 5, 5e-3);
+  const auto found = bonded_contacts<AllPairs>(specimen);
+  const auto known = bonded_contacts<FixedPairs>(specimen);
+  REQUIRE(found.size() == 6 * 5 + 7 * 4);
+  REQUIRE(known.size() == found.size());
+  for (std::size_t c = 0; c < found.size(); ++c) CHECK(found[c].bodies == known[c].bodies);
+}
+
+TEST_CASE("the least models make a simulator: pressure opens its crack") {
+  Sim sim{square_array(12, 12, 5e-3), {.aperture = {.w0 = 3e-6}, .in_situ = {5e6, 6e6}}};
+  for (int step = 0; step < 2; ++step) sim.step();
+  CHECK(sim.injection_pressure() == 2e6);
+  CHECK(measure::crack_shape(sim).aperture == 3e-6);  // still pressed shut
+  while (sim.injection_pressure() < 9e6) sim.step();
+  const auto [left, right] = sim.contacts().bodies(sim.preset_contacts().front());
+  const double gap = sim.discs().displacement[right][0] - sim.discs().displacement[left][0];
+  CHECK(gap > 1e-6);
+  CHECK(sim.network().width(sim.preset_contacts().front()) == Approx(3e-6 + gap).epsilon(1e-9));
+  CHECK(sim.breaks().empty());
+}
+
+TEST_CASE("parameters of one's own policies are checked like any others") {
+  CHECK_THROWS_WITH_AS(
+      (Sim{square_array(6, 6, 5e-3), {.contact = {.tensile_strength = -1}}}),
+      "contact.tensile_strength = -1 Pa is not allowed: it must be greater than 0 Pa",
+      InvalidParameter);
+}
+
+}  // namespace

@@ -1,0 +1,15 @@
+# PROGRAM must print every line of output that the header of its SOURCE promises: those indented by
+# three blanks, the command itself left out.
+execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+file(STRINGS ${SOURCE} promised REGEX "^//   ")
+list(FILTER promised EXCLUDE REGEX "^//   build/")
+if(NOT promised)
+  message(FATAL_ERROR "${SOURCE} does not say what one should see")
+endif()
+foreach(line IN LISTS promised)
+  string(REGEX REPLACE "^//   " "" line "${line}")
+  string(FIND "\n${output}" "\n${line}\n" place)
+  if(place EQUAL -1)
+    message(SEND_ERROR "\"${line}\" is not in what the program prints:\n${output}")
+  endif()
+endforeach()
