@@ -16,6 +16,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOND = "contact/linear_parallel_bond.hpp"
+KGD, PROFILE, TIP, GENERAL, REGIME = (f"analytic/kgd{s}.hpp" for s in ("", "_profile", "_tip", "_general", "_regime"))
+CRACK = "analytic/pressurised_crack.hpp"
 PLATE, FIELDS, SOLVER, GROWTH = (f"analytic/plate{s}.hpp" for s in ("", "_fields", "_solver", "_growth"))
 
 # name, header, what stands there, what a careless hand writes, the tests that must see it
@@ -72,6 +74,55 @@ MUTATIONS = [
     ("toughness that grows with pressure", GROWTH, "- rock_.per_pressure;", "- 1.05 * rock_.per_pressure;", "analytic/plate"),
     ("length at which the plate splits", GROWTH, "extremum(to * step, step, 1);", "0.99 * extremum(to * step, step, 1);", "analytic/plate"),
     ("last length of the growth", GROWTH, "volume(std::fmin(n * step, plate_.longest()))", "volume(n * step)", "analytic/plate"),
+    ("length of the M vertex", KGD, "0.615411", "0.6462", "analytic/kgd_vertices"),
+    ("width of the M vertex", KGD, "1.125835", "1.1821", "analytic/kgd_vertices"),
+    ("net pressure of the M vertex", KGD, "0.544817", "0.5721", "analytic/kgd_vertices"),
+    ("shape of the M vertex", KGD, ".mouth = 0.588", ".mouth = 0.617", "analytic/kgd_general"),
+    ("length of the K~ and M~ vertices", KGD, "(std::numbers::pi * s.leak_off)", "(1.05 * std::numbers::pi * s.leak_off)", "analytic/kgd_vertices"),
+    ("width of the K vertex", KGD, "coefficient / 2", "coefficient / 2.1", "analytic/kgd_vertices"),
+    ("net pressure of an ellipse", KGD, "/ (4 * half", "/ (4.2 * half", "analytic/kgd_vertices"),
+    ("width of the K~ vertex", KGD, "std::sqrt(2 * std::numbers::pi * s", "std::sqrt(2.2 * std::numbers::pi * s", "analytic/kgd_vertices"),
+    ("efficiency of the K~ vertex", KGD, "std::numbers::pi / 2 *", "std::numbers::pi / 2.1 *", "analytic/kgd_vertices"),
+    ("width of the M~ vertex", KGD, "0.816389", "0.8572", "analytic/kgd_vertices"),
+    ("net pressure of the M~ vertex", KGD, "0.751469", "0.7890", "analytic/kgd_vertices"),
+    ("efficiency of the M~ vertex", KGD, "1.459991", "1.533", "analytic/kgd_vertices"),
+    ("shape of the M~ vertex", KGD, ".mouth = 0.520", ".mouth = 0.546", "analytic/kgd_general"),
+    ("mu' of the KGD solution", KGD, "12 * viscosity", "12.6 * viscosity", "analytic/kgd_vertices"),
+    ("C' of the KGD solution", KGD, "2 * leak_off;", "2.1 * leak_off;", "analytic/kgd_vertices"),
+    ("scale of the viscous pressure", KGD, "/ (2 * width)", "/ (2.1 * width)", "analytic/kgd_pressure"),
+    ("leak-off in the flow", PROFILE, "(growth + 0.5)", "(growth + 0.45)", "analytic/kgd_pressure"),
+    ("moving tip in the flow", PROFILE, "efficiency * growth * xi", "1.05 * efficiency * growth * xi", "analytic/kgd_pressure"),
+    ("power of the viscous pressure", PROFILE, "return pressure_scale * 4", "return pressure_scale * 4.2", "analytic/kgd_pressure"),
+    ("mean pressure of a profile", PROFILE, "s * s)) / 2;", "s * s)) / 2.1;", "analytic/kgd_pressure"),
+    ("viscous tip", TIP, "2 * std::pow(3, 2.5)", "2.1 * std::pow(3, 2.5)", "analytic/kgd_general"),
+    ("viscous tip with leak-off", TIP, "256 / (15", "256 / (15.8", "analytic/kgd_general"),
+    ("first coefficient of the tip", TIP, "4 * (1 - 2 * d)", "4.2 * (1 - 2 * d)", "analytic/kgd_general"),
+    ("second coefficient of the tip", TIP, "16 * (1 - 3 * d)", "16.8 * (1 - 3 * d)", "analytic/kgd_general"),
+    ("exponent of the tip", TIP, "(1 + excess()) / 2", "(1 + excess()) / 2.1", "analytic/kgd_general"),
+    ("strong leak-off at the tip", TIP, "factor * (1 - power) / k", "1.05 * factor * (1 - power) / k", "analytic/kgd_general"),
+    ("leak-off at the tip", GENERAL, "2 * s.leak_off", "2.1 * s.leak_off", "analytic/kgd_general"),
+    ("shape under viscosity and storage", GENERAL, "0.588", "0.617", "analytic/kgd_general"),
+    ("shape under viscosity and leak-off", GENERAL, "0.520", "0.546", "analytic/kgd_general"),
+    ("toughness in the shape", GENERAL, "f.tip.toughness, 3", "f.tip.toughness, 3.15", "analytic/kgd_general"),
+    ("fluid in one wing", GENERAL, "std::log(2 * (f", "std::log(2.1 * (f", "analytic/kgd_general"),
+    ("leaked volume", GENERAL, "tip_width * half_length * tip.", "1.05 * tip_width * half_length * tip.", "analytic/kgd_general"),
+    ("growth in time", GENERAL, "log_time / 4", "log_time / 4.2", "analytic/kgd_general"),
+    ("mean pressure of the general solution", GENERAL, "(std::numbers::pi * f.half", "(1.05 * std::numbers::pi * f.half", "analytic/kgd_pressure"),
+    ("bound of the M regime in K_m", REGIME, "0.70", "0.735", "analytic/kgd_regime"),
+    ("bound of the M~ regime in K_m", REGIME, "0.90", "0.945", "analytic/kgd_regime"),
+    ("bound of the K regime in K_m", REGIME, "4.80 && log_tough_time <", "5.04 && log_tough_time <", "analytic/kgd_regime"),
+    ("bound of the K~ regime in K_m", REGIME, "4.80 && log_tough_time >", "5.04 && log_tough_time >", "analytic/kgd_regime"),
+    ("bound of the K regime in time", REGIME, "1.25e-14", "1.31e-14", "analytic/kgd_regime"),
+    ("bound of the K~ regime in time", REGIME, "1.76e5", "1.85e5", "analytic/kgd_regime"),
+    ("bound of the M regime in time", REGIME, "1.21e-13", "1.27e-13", "analytic/kgd_regime"),
+    ("bound of the M~ regime in time", REGIME, "2.36e6", "2.48e6", "analytic/kgd_regime"),
+    ("tau", REGIME, "/ p.rate * p.C_prime(), 3)", "/ p.rate * p.C_prime(), 3.15)", "analytic/kgd_regime"),
+    ("K_m", REGIME, "return p.K_prime() / p", "return 1.05 * p.K_prime() / p", "analytic/kgd_regime"),
+    ("width of a pressurised crack", CRACK, "4 * net_pressure", "4.2 * net_pressure", "analytic/pressurised_crack"),
+    ("volume of a pressurised crack", CRACK, "std::numbers::pi / 2", "std::numbers::pi / 2.1", "analytic/pressurised_crack"),
+    ("K_I of a pressurised crack", CRACK, "net_pressure * std::sqrt(", "1.05 * net_pressure * std::sqrt(", "analytic/pressurised_crack"),
+    ("stress ahead of a crack", CRACK, "xi * xi - 1)", "xi * xi - 1.05)", "analytic/pressurised_crack"),
+    ("pressure of growth", CRACK, "K_IC / std", "1.05 * K_IC / std", "analytic/pressurised_crack"),
 ]
 
 FLAGS = "-std=c++20 -O1 -w -ffp-contract=off -I/usr/include/eigen3".split()

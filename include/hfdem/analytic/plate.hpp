@@ -44,7 +44,7 @@ struct OrthotropicPlane {
 /// @param E_prime plane modulus E / (1 - nu^2), Pa
 /// @param poisson the rock's Poisson's ratio nu; only fixed sides feel it
 /// @throws InvalidParameter unless E' > 0 and 0 <= nu < 0.5
-inline OrthotropicPlane isotropic_plane(double E_prime, double poisson = 0.25) {
+inline OrthotropicPlane isotropic_plane(double E_prime, double poisson = 0.3) {
   hfdem::detail::check_range("rock", "E_prime", "Pa", positive, E_prime);
   hfdem::detail::check_range("rock", "poisson", "", Range{0, 0.5, false, true}, poisson);
   const double in_plane = poisson / (1 - poisson);
