@@ -4,14 +4,16 @@
 //   build/release/examples/kgd --out out/kgd
 //
 // You should see, after a few seconds, a crack of 0.80 m that is 77 um wide at the injection,
-// beside the paper's 0.770 m and 72.4 um, and the figures aperture.svg, length.svg, pressure.svg
-// and specimen.svg. `--quick` runs a small array in less than a second; `--help` lists the options.
+// beside the paper's 0.770 m and 72.4 um: open out/kgd/report.html. `--quick` runs a small array in
+// less than a second; `--help` lists the options.
 #include <cstdio>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
 #include "support/command_line.hpp"
 #include "support/kgd_results.hpp"
+#include "support/manifest.hpp"
 #include "support/polite_threads.hpp"
 #include "support/progress.hpp"
 
@@ -20,28 +22,26 @@ using namespace hfdem::support;
 
 namespace {
 
-int run(const CommandLine& options, const KgdConfig& config) {
+int run(const CommandLine& options, const KgdConfig& config, const Manifest& manifest) {
   const OutputFolder folder(options.out);
   folder.write("config.toml", to_toml(config));
-  KgdResults results(folder, config, options.threads);
+  KgdResults results(folder, config, manifest);
+  std::optional<Kgd> sim;
   try {
-    Kgd sim{square_array(config.specimen), config.simulator};
-    sim.use_threads(options.threads);
-    results.begin(sim);
-    try {
-      sim.run_until(config.run.end_time, results, Progress(config.run.end_time, options.quiet));
-    } catch (const RunStopped& reason) {
-      results.finish(sim, reason.what());
-      throw;
-    }
-    results.finish(sim, {});
-    if (!options.quiet)
-      std::printf("%sFigures and tables: %s\n", results.text().c_str(), options.out.c_str());
-    return success;
+    sim.emplace(square_array(config.specimen), config.simulator);
+    sim->use_threads(options.threads);
+    results.begin(*sim);
+    sim->run_until(config.run.end_time, results, Progress(config.run.end_time, options.quiet));
   } catch (const RunStopped& reason) {
+    sim ? results.finish(*sim, reason.what()) : results.finish_unbegun(reason.what());
     std::fprintf(stderr, "kgd: the run stopped: %s\n", reason.what());
     return run_stopped;
   }
+  results.finish(*sim, {});
+  if (!options.quiet)
+    std::printf("%sOpen this in a browser: %s\n", results.text().c_str(),
+                (options.out + "/report.html").c_str());
+  return success;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     KgdConfig config = options.quick ? KgdConfig::quick() : KgdConfig{};
     options.configure(config);
     config.simulator.scheme = config.simulator.scheme.resolved();
-    return run(options, config);
+    return run(options, config, manifest("kgd", argc, argv, options.threads));
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? success : bad_input;
   } catch (const InvalidParameter& e) {

@@ -21,6 +21,4 @@ rm build.log
 
 echo "A crack driven by uniform pressure through 10,000 bonded discs (some seconds) ..."
 build/release/examples/kgd --out "$out"
-echo
-echo "Open these in a browser:"
-for figure in specimen aperture length pressure; do echo "  $PWD/$out/$figure.svg"; done
+echo "As an address: file://$(realpath "$out")/report.html"

@@ -14,17 +14,19 @@
 
 #include "support/kgd_model.hpp"
 #include "support/paper.hpp"
+#include "support/settings.hpp"
 
 namespace hfdem::support {
 
 /// What a run was, in one sentence for captions.
 inline std::string described(const KgdConfig& c) {
   const auto& p = c.simulator;
-  return std::to_string(c.specimen.columns) + " x " + std::to_string(c.specimen.rows) +
+  return std::to_string(c.specimen.columns) + " × " + std::to_string(c.specimen.rows) +
          " discs of radius " + in_words(c.specimen.radius * 1e3) + " mm under " +
          in_words(p.in_situ.xx / 1e6) + " MPa (x) and " + in_words(p.in_situ.yy / 1e6) +
-         " MPa (y), " + in_words(p.injection.rate * 1e4) + " x 10^{-4} m²/s injected, " +
-         (p.scheme.equilibrium ? "equilibrium control." : "the paper's rule.");
+         " MPa (y), " + in_words(p.injection.rate * 1e4) +
+         " × 10^{-4} m²/s injected, fluid steps " +
+         (p.scheme.equilibrium ? "under equilibrium control." : "by the paper's rule.");
 }
 
 /// The KGD fracture as the paper computed it: its E' and K_IC, this run's rate.
@@ -33,64 +35,82 @@ inline analytic::KgdFracture paper_kgd(const KgdConfig& c, double time) {
                                     c.simulator.injection.rate, time);
 }
 
+/// Whether a run is of the paper's model; its rule and its mechanics are free.
+inline bool is_paper_model(KgdConfig config) {
+  const KgdConfig paper;
+  config.run = paper.run;
+  config.simulator.scheme = paper.simulator.scheme;
+  config.simulator.mechanics = paper.simulator.mechanics;
+  return to_toml(config) == to_toml(paper);
+}
+
+/// Whether the paper's numbers hold for a run at this time.
+inline bool at_paper_time(const KgdConfig& config, double time) {
+  return is_paper_model(config) && std::abs(time / paper::Verification::time - 1) < 1e-3;
+}
+
 class KgdFigures {
  public:
   KgdFigures(const KgdConfig& config, const std::vector<observe::Instant>& history)
       : config_(config), history_(history) {}
 
   /// Fig. 6a.
-  std::string aperture() const {
+  observe::Chart aperture() const {
     observe::Chart chart{.title = "Aperture at the injection",
                          .x_label = "injection time (s)",
                          .y_label = "aperture (µm)",
-                         .caption = reference_caption(
-                             "The aperture grows with the crack and drops at each advance of the "
-                             "tips. ")};
+                         .caption =
+                             "The aperture grows with the crack and drops at each advance "
+                             "of the tips. " +
+                             reference(),
+                         .conditions = described(config_),
+                         .x_range = from_zero()};
     chart.series = {series("hfdem", [](const auto& i) { return i.crack.aperture * 1e6; }),
                     kgd([](const analytic::KgdFracture& k) { return k.width * 1e6; })};
     add_paper(chart, paper::Verification::aperture * 1e6);
-    return svg(chart);
+    return chart;
   }
 
   /// Fig. 6b.
-  std::string length() const {
+  observe::Chart length() const {
     observe::Chart chart{.title = "Length of the crack",
                          .x_label = "injection time (s)",
                          .y_label = "distance between the tips (m)",
-                         .caption = reference_caption(
-                             "Each stair is one broken contact, a disc's diameter, at each tip. ")};
+                         .caption =
+                             "Each stair is one broken contact, a disc's diameter, at each "
+                             "tip. " +
+                             reference(),
+                         .conditions = described(config_),
+                         .x_range = from_zero()};
     chart.series = {series("hfdem", [](const auto& i) { return i.crack.full_length(); }),
                     kgd([](const analytic::KgdFracture& k) { return k.full_length(); })};
     add_paper(chart, paper::Verification::full_length);
-    return svg(chart);
+    return chart;
   }
 
-  std::string pressure() const {
+  observe::Chart pressure() const {
     observe::Chart chart{.title = "Injection pressure",
                          .x_label = "injection time (s)",
                          .y_label = "pressure (MPa)",
                          .caption =
                              "The pressure peaks at breakdown, then falls towards the stress "
-                             "that closes the crack; each tooth is one advance of the tips. " +
-                             described(config_)};
+                             "that closes the crack; each tooth is one advance of the tips.",
+                         .conditions = described(config_),
+                         .x_range = from_zero()};
     const double closing = far_field() / 1e6;
     chart.series = {series("hfdem", [](const auto& i) { return i.pressure / 1e6; }),
-                    {.name = "stress across the crack",
-                     .x = {0, history_.empty() ? 0 : history_.back().time},
+                    {.name = "closure stress",
+                     .x = {0, end_time()},
                      .y = {closing, closing},
                      .style = observe::Series::Style::dashed,
                      .colour = observe::okabe_ito::black}};
-    return svg(chart);
+    return chart;
   }
 
   /// Fig. 5a, b.
-  std::string specimen(const Kgd& sim) const {
-    std::vector<double> x, y;
-    for (const Vec2& c : sim.discs().centre) x.push_back(c.x), y.push_back(c.y);
+  observe::SpecimenPicture specimen(const Kgd& sim) const {
     const Vec2 injection = measure::injection_point(sim);
-    observe::SpecimenPicture picture{.x = x,
-                                     .y = y,
-                                     .radius = sim.discs().radius,
+    observe::SpecimenPicture picture{.radius = sim.discs().radius,
                                      .width = sim.specimen().width,
                                      .height = sim.specimen().height,
                                      .injection_x = injection.x,
@@ -99,19 +119,26 @@ class KgdFigures {
                                      .stress_y = config_.simulator.in_situ.yy,
                                      .platens = sim.loading().has_platens(),
                                      .title = "The crack at t = " + in_words(sim.time()) + " s",
-                                     .caption = described(config_)};
+                                     .caption =
+                                         "The whole specimen, and the discs around the "
+                                         "injection.",
+                                     .conditions = described(config_)};
+    for (const Vec2& c : sim.discs().centre) picture.x.push_back(c.x), picture.y.push_back(c.y);
     for (const Index c : sim.network().wet_channels())
       picture.main_crack.push_back(segment(sim, c, sim.network().width(c)));
     for (const BondBreak& b : sim.breaks())
       if (!sim.network().is_wet(b.contact))
         picture.unconnected.push_back(segment(sim, b.contact, 0));
-    return svg(picture);
+    return picture;
   }
 
  private:
   double far_field() const {
     return std::fmin(config_.simulator.in_situ.xx, config_.simulator.in_situ.yy);
   }
+
+  double end_time() const { return history_.empty() ? 0 : history_.back().time; }
+  observe::Range from_zero() const { return {0, end_time()}; }
 
   template <class F>
   observe::Series series(const std::string& name, F&& value) const {
@@ -124,7 +151,7 @@ class KgdFigures {
   observe::Series kgd(F&& value) const {
     observe::Series s{.name = "KGD, infinite plane", .style = observe::Series::Style::dashed};
     constexpr int points = 300;
-    const double end = history_.empty() ? 0 : history_.back().time;
+    const double end = end_time();
     for (int k = 1; k <= points; ++k) {
       s.x.push_back(end * k / points);
       s.y.push_back(value(paper_kgd(config_, s.x.back())));
@@ -133,14 +160,14 @@ class KgdFigures {
   }
 
   void add_paper(observe::Chart& chart, double value) const {
-    if (!history_.empty() && history_.back().time >= 0.99 * paper::Verification::time)
-      chart.points = {{"paper (numerical)", paper::Verification::time, value}};
+    const double time = std::fmin(paper::Verification::time, end_time());
+    if (at_paper_time(config_, time)) chart.points = {{"paper (numerical)", time, value}};
   }
 
-  std::string reference_caption(const std::string& first) const {
-    return first + described(config_) + " KGD: toughness vertex with the paper's E' = " +
-           in_words(paper::Verification::E_prime / 1e9) +
-           " GPa and K_{IC} = " + in_words(paper::Verification::K_IC / 1e6) + " MPa·m^{1/2}.";
+  static std::string reference() {
+    return "KGD: toughness vertex with the paper's E' = " +
+           in_words(paper::Verification::E_prime / 1e9) + " GPa and K_{IC} = " +
+           in_words(paper::Verification::K_IC / 1e6) + " MPa·m^{1/2}.";
   }
 
   static observe::CrackSegment segment(const Kgd& sim, Index contact, double aperture) {

@@ -6,12 +6,11 @@
 #include <fstream>
 #include <string>
 
-#include <hfdem/measure/elastic_moduli.hpp>
+#include <hfdem/observe/history.hpp>
 
-#include "support/kgd_figures.hpp"
+#include "support/kgd_report.hpp"
 #include "support/output_folder.hpp"
 #include "support/progress.hpp"
-#include "support/settings.hpp"
 #include "support/summary.hpp"
 
 namespace hfdem::support {
@@ -20,10 +19,10 @@ namespace hfdem::support {
 /// run, what was written stays.
 class KgdResults {
  public:
-  KgdResults(const OutputFolder& folder, const KgdConfig& config, int threads)
+  KgdResults(const OutputFolder& folder, const KgdConfig& config, const Manifest& manifest)
       : folder_(folder),
         config_(config),
-        threads_(threads),
+        manifest_(manifest),
         far_field_(std::fmin(config.simulator.in_situ.xx, config.simulator.in_situ.yy)),
         history_file_(folder.open("history.csv")),
         history_(history_file_, config.run.output_interval, far_field_) {}
@@ -44,7 +43,12 @@ class KgdResults {
 
   /// @param stopped why the run ended before its time; empty if it did not
   void finish(const Kgd& sim, const std::string& stopped) {
-    const double wall = watch_.seconds();
+    const KgdOutcome outcome{measure::crack_shape(sim),
+                             paper_kgd(config_, sim.time()),
+                             far_field_,
+                             peak_pressure_,
+                             moduli_,
+                             {stopped, unconverged_, watch_.seconds()}};
     folder_.close(history_file_, "history.csv");
     std::ofstream profile = folder_.open("profile.csv"), cracks = folder_.open("cracks.csv");
     observe::write_profile(profile, sim);
@@ -52,12 +56,19 @@ class KgdResults {
     folder_.close(profile, "profile.csv");
     folder_.close(cracks, "cracks.csv");
     const KgdFigures figures(config_, history_.instants());
-    folder_.write("aperture.svg", figures.aperture());
-    folder_.write("length.svg", figures.length());
-    folder_.write("pressure.svg", figures.pressure());
-    folder_.write("specimen.svg", figures.specimen(sim));
-    folder_.write("summary.json", summarise(sim, wall, stopped).json());
-    text_ = describe(sim, wall);
+    folder_.write("aperture.svg", svg(figures.aperture()));
+    folder_.write("length.svg", svg(figures.length()));
+    folder_.write("pressure.svg", svg(figures.pressure()));
+    folder_.write("specimen.svg", svg(figures.specimen(sim)));
+    folder_.write("summary.json", summarise(sim, outcome).json());
+    folder_.write("report.html", KgdReport(config_, manifest_).html(sim, outcome, figures));
+    text_ = describe(sim, outcome);
+  }
+
+  /// @param reason why the specimen could not even settle
+  void finish_unbegun(const std::string& reason) {
+    folder_.close(history_file_, "history.csv");
+    folder_.write("report.html", KgdReport(config_, manifest_).html(reason));
   }
 
   /// The answer in a few lines for a terminal.
@@ -75,8 +86,8 @@ class KgdResults {
     }
   }
 
-  Summary summarise(const Kgd& sim, double wall, const std::string& stopped) {
-    const auto shape = measure::crack_shape(sim);
+  Summary summarise(const Kgd& sim, const KgdOutcome& outcome) const {
+    const auto& [shape, kgd, far_field, peak_pressure, moduli, run] = outcome;
     const long steps = sim.mechanical_steps();
     Summary s;
     s.set("time_s", sim.time());
@@ -86,29 +97,28 @@ class KgdResults {
     s.set("aperture_at_injection_m", shape.aperture);
     s.set("opening_at_injection_m", shape.opening);
     s.set("injection_pressure_Pa", sim.injection_pressure());
-    s.set("net_pressure_Pa", sim.injection_pressure() - far_field_);
+    s.set("net_pressure_Pa", sim.injection_pressure() - far_field);
     s.set("first_break_pressure_Pa", sim.breaks().empty() ? NAN : sim.breaks().front().pressure);
-    s.set("peak_pressure_Pa", peak_pressure_);
+    s.set("peak_pressure_Pa", peak_pressure);
     s.set("fluid_volume_m2", sim.injected_volume());
     s.set("crack_volume_m2", sim.network().crack_volume());
     s.set("broken_bonds", static_cast<long>(sim.breaks().size()));
     s.set("broken_bonds_off_plane", measure::broken_off_plane(sim));
     s.set("preset_contacts", static_cast<long>(sim.preset_contacts().size()));
-    s.set("E_Pa", moduli_.young);
-    s.set("poisson_ratio", moduli_.poisson);
+    s.set("E_Pa", moduli.young);
+    s.set("poisson_ratio", moduli.poisson);
     s.set("rule", config_.simulator.scheme.equilibrium ? "equilibrium" : "paper");
     s.set("fluid_steps", sim.fluid_steps());
-    s.set("unconverged_fluid_steps", unconverged_);
+    s.set("unconverged_fluid_steps", run.unconverged);
     s.set("mechanical_steps", steps);
     s.set("settling_steps", sim.settling_steps());
     s.set("mechanical_dt_s", sim.mechanical_dt());
-    s.set("wall_s", wall);
+    s.set("wall_s", run.wall);
     s.set("particle_steps_per_s",
-          static_cast<double>(sim.discs().size()) * static_cast<double>(steps) / wall);
-    s.set("threads", threads_);
-    if (!stopped.empty()) s.set("stopped", stopped);
+          static_cast<double>(sim.discs().size()) * static_cast<double>(steps) / run.wall);
+    s.set("threads", manifest_.threads);
+    if (!run.stopped.empty()) s.set("stopped", run.stopped);
 
-    const auto kgd = paper_kgd(config_, sim.time());
     s.set("paper/holds_for", "the default parameters at t = 0.9 s");
     s.compare("paper/full_length_m", shape.full_length(), paper::Verification::full_length);
     s.compare("paper/aperture_at_injection_m", shape.aperture, paper::Verification::aperture);
@@ -117,15 +127,14 @@ class KgdResults {
     s.compare("kgd/full_length_m", shape.full_length(), kgd.full_length());
     s.compare("kgd/aperture_at_injection_m", shape.aperture, kgd.width);
     s.compare("kgd/opening_at_injection_m", shape.opening, kgd.width);
-    s.compare("kgd/net_pressure_Pa", sim.injection_pressure() - far_field_, kgd.net_pressure);
+    s.compare("kgd/net_pressure_Pa", sim.injection_pressure() - far_field, kgd.net_pressure);
     s.set("kgd/full_length_printed_in_paper_m", paper::Verification::kgd_full_length);
     s.set("kgd/aperture_printed_in_paper_m", paper::Verification::kgd_aperture);
     return s;
   }
 
-  std::string describe(const Kgd& sim, double wall) const {
-    const auto shape = measure::crack_shape(sim);
-    const auto kgd = paper_kgd(config_, sim.time());
+  static std::string describe(const Kgd& sim, const KgdOutcome& outcome) {
+    const auto& [shape, kgd, far_field, peak_pressure, moduli, run] = outcome;
     char text[800];
     std::snprintf(text, sizeof text,
                   "t = %.3g s            hfdem     paper, t = 0.9 s   KGD, infinite plane\n"
@@ -136,14 +145,14 @@ class KgdResults {
                   sim.time(), shape.full_length(), paper::Verification::full_length,
                   kgd.full_length(), shape.aperture * 1e6, paper::Verification::aperture * 1e6,
                   kgd.width * 1e6, shape.opening * 1e6, sim.injection_pressure() / 1e6,
-                  (sim.injection_pressure() - far_field_) / 1e6, sim.fluid_steps(),
-                  sim.mechanical_steps(), wall);
+                  (sim.injection_pressure() - far_field) / 1e6, sim.fluid_steps(),
+                  sim.mechanical_steps(), run.wall);
     return text;
   }
 
   const OutputFolder& folder_;
   const KgdConfig& config_;
-  int threads_;
+  const Manifest& manifest_;
   double far_field_;
   std::ofstream history_file_;
   observe::History history_;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,7 +38,9 @@ struct Point {
 };
 
 struct Chart {
-  std::string title{}, x_label{}, y_label{}, caption{};
+  std::string title{}, x_label{}, y_label{};
+  std::string caption{};         ///< what to see
+  std::string conditions{};      ///< with which parameters
   std::vector<Series> series{};  ///< later ones lie on top
   std::vector<Point> points{};
   std::optional<Range> x_range = std::nullopt, y_range = std::nullopt;  ///< unset: fit the data
@@ -47,15 +48,19 @@ struct Chart {
 
 namespace drawing {
 
-inline constexpr double chart_width = 800.0, name_width = 190.0;
+/// The measures of a chart, in pixels. Charts of one page stand under one another: the least room
+/// beside their plots lets the axes of time meet.
+struct ChartSize {
+  double width = 800.0, plot_height = 330.0;
+  double name_width = 190.0;  ///< the names of lines and points are broken to
+  double least_left = 0.0, least_right = 0.0;
 
-/// `colour`, darkened where it is too light for small letters on white.
-inline Colour readable(Colour colour) {
-  const double brightness = 0.3 * colour.red + 0.59 * colour.green + 0.11 * colour.blue;
-  const double factor = std::min(1.0, 115.0 / std::max(brightness, 1.0));
-  const auto dim = [factor](std::uint8_t part) { return static_cast<std::uint8_t>(part * factor); };
-  return {dim(colour.red), dim(colour.green), dim(colour.blue)};
-}
+  static constexpr ChartSize on(Medium medium) {
+    if (medium == Medium::phone) return {400.0, 280.0, 84.0, 30.0, 76.0};
+    if (medium == Medium::page) return {880.0, 360.0, 190.0, 36.0, 146.0};
+    return {};
+  }
+};
 
 inline std::string paint(Series::Style style, Colour colour) {
   const std::string round = R"( stroke-linecap="round" stroke-linejoin="round")";
@@ -76,14 +81,15 @@ inline std::string paint(Series::Style style, Colour colour) {
 class Plot {
  public:
   /// Leaves room for the tick labels on the left and for names of `names_width` on the right.
-  Plot(Range x, Range y, double names_width) {
+  Plot(Range x, Range y, double names_width, const ChartSize& size) : name_width_(size.name_width) {
+    box_.left = size.least_left;
     box_.top = 24.0;  // below the label of the y axis
-    box_.height = 330.0;
+    box_.height = size.plot_height;
     y_ = {y, box_.bottom(), box_.top};
     for (const double tick : y_.ticks()) {
       box_.left = std::max(box_.left, text_width(y_.tick_label(tick)) + 8.0);
     }
-    box_.width = chart_width - box_.left - (names_width > 0.0 ? names_width + 16.0 : 8.0);
+    box_.width = size.width - box_.left - (names_width > 0.0 ? names_width + 16.0 : 8.0);
     x_ = {x, box_.left, box_.right()};
   }
 
@@ -124,7 +130,7 @@ class Plot {
       obstruct(obstacles_, shown);
     }
     if (!end) return {};
-    const auto words = wrap(series.name, name_width);
+    const auto words = wrap(series.name, name_width_);
     if (!words.empty()) names_.push_back({words, readable(colour), *end});
     // wider than the plot by half a stroke
     return window({box_.left - 3.0, box_.top - 3.0, box_.width + 6.0, box_.height + 6.0},
@@ -168,7 +174,7 @@ class Plot {
 
   [[nodiscard]] std::string mark(const Point& point, Pixel at) {
     TextStyle style{.colour = readable(point.colour), .halo = true};
-    const auto words = wrap(point.name, name_width);
+    const auto words = wrap(point.name, name_width_);
     const auto [box, anchor] = place_beside(
         at, {.width = widest(words), .height = style.leading() * static_cast<double>(words.size())},
         box_, obstacles_);
@@ -205,18 +211,19 @@ class Plot {
 
   Box box_;
   Axis x_, y_;
+  double name_width_;
   std::vector<EndLabel> names_;
   Line obstacles_;  ///< samples of all that names of points should not cover
 };
 
 }  // namespace drawing
 
-/// The chart as an SVG document, 848 pixels wide.
-inline std::string svg(const Chart& chart) {
+inline std::string caption(const Chart& chart) { return chart.caption; }
+
+/// The chart as SVG; in a file it is 848 pixels wide.
+inline std::string svg(const Chart& chart, Medium medium = Medium::file) {
   using namespace drawing;
-  constexpr std::array palette{okabe_ito::blue,       okabe_ito::orange,   okabe_ito::black,
-                               okabe_ito::vermillion, okabe_ito::sky_blue, okabe_ito::green,
-                               okabe_ito::purple};
+  const ChartSize size = ChartSize::on(medium);
   Range x_data = no_range, y_data = no_range;
   const auto include_datum = [&](double x, double y) {
     if (!std::isfinite(x) || !std::isfinite(y)) return;
@@ -224,15 +231,15 @@ inline std::string svg(const Chart& chart) {
     include(x_data, x);
     include(y_data, y);
   };
-  double names_width = 0.0;
+  double names_width = size.least_right;
   for (const Series& s : chart.series) {
     for (std::size_t i = 0; i < s.size(); ++i) include_datum(s.x[i], s.y[i]);
-    names_width = std::max(names_width, widest(wrap(s.name, name_width)));
+    names_width = std::max(names_width, widest(wrap(s.name, size.name_width)));
   }
   for (const Point& p : chart.points) include_datum(p.x, p.y);
 
   Plot plot(widened(chart.x_range.value_or(x_data)),
-            widened(chart.y_range.value_or(padded(y_data))), names_width);
+            widened(chart.y_range.value_or(padded(y_data))), names_width, size);
   std::string body = plot.axes(chart);
   std::size_t next = 0;
   for (const Series& s : chart.series) {
@@ -240,7 +247,8 @@ inline std::string svg(const Chart& chart) {
   }
   body += plot.names();
   body += plot.marks(chart.points);
-  return page(chart.title, chart.caption, chart_width, plot.height(), body);
+  return sheet(chart.title, chart.caption, chart.conditions, size.width, plot.height(), body,
+               medium);
 }
 
 }  // namespace hfdem::observe

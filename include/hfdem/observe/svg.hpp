@@ -5,31 +5,23 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <hfdem/observe/colours.hpp>
 
 /// \file
 /// What the SVG pictures share: lengths in pixels, y down, nothing that depends on the locale.
 
 namespace hfdem::observe {
 
-struct Colour {
-  std::uint8_t red = 0, green = 0, blue = 0;
-};
-
-/// Colours of Okabe and Ito, which people with any colour vision can tell apart.
-namespace okabe_ito {
-inline constexpr Colour black{0, 0, 0}, orange{230, 159, 0}, sky_blue{86, 180, 233},
-    green{0, 158, 115}, blue{0, 114, 178}, vermillion{213, 94, 0}, purple{204, 121, 167};
-}  // namespace okabe_ito
+/// Where a picture stands: in a file it carries its title and caption itself; a page of text says
+/// them, and lends the picture its own background; on a phone the picture is narrow as well.
+enum class Medium { file, page, phone };
 
 /// Building blocks; a caller of `svg(...)` needs none of them.
 namespace drawing {
-inline constexpr Colour white{255, 255, 255}, ink{34, 34, 34}, grey{102, 102, 102},
-    pale{226, 226, 226};
 inline constexpr double margin = 24.0;
 
 struct Pixel {
@@ -61,12 +53,6 @@ inline double round_down(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)));
   const double lead = value / unit * (1.0 + 1e-9);  // 0.5 / 0.1 may fall short of 5
   return unit * (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0);
-}
-
-inline std::string hex(Colour colour) {
-  std::array<char, 8> code{};
-  std::snprintf(code.data(), code.size(), "#%02x%02x%02x", colour.red, colour.green, colour.blue);
-  return code.data();
 }
 
 /// ` name="value"`
@@ -145,6 +131,8 @@ struct TextStyle {
 inline std::string escaped(char c) {
   if (c == '&') return "&amp;";
   if (c == '<') return "&lt;";
+  if (c == '>') return "&gt;";
+  if (c == '"') return "&quot;";
   return {static_cast<unsigned char>(c) < ' ' ? ' ' : c};
 }
 
@@ -208,7 +196,8 @@ inline std::string text(Pixel at, std::string_view words, TextStyle style = {}) 
   if (style.anchor != "start") element += attribute("text-anchor", style.anchor);
   if (style.bold) element += attribute("font-weight", "600");
   if (style.halo)
-    element += R"( stroke="#fff" stroke-width="4" stroke-linejoin="round" paint-order="stroke")";
+    element += attribute("stroke", hex(white)) +
+               R"( stroke-width="4" stroke-linejoin="round" paint-order="stroke")";
   return element + ">" + markup(words, style.size) + "</text>\n";
 }
 /// One line of text under the other; `at` is the start of the first base line.
@@ -226,9 +215,12 @@ inline std::string window(const Box& box, std::string_view content) {
   return "<svg" + view(box) + ">\n" + std::string(content) + "</svg>\n";
 }
 
-/// The whole picture: title, `body` of `width` by `height` between the margins, caption.
-inline std::string page(std::string_view title, std::string_view caption, double width,
-                        double height, std::string_view body) {
+inline constexpr std::string_view font_family =
+    "system-ui,'Segoe UI',Roboto,Helvetica,Arial,sans-serif";
+
+/// The picture for a file: title, `body` of `width` by `height` between the margins, caption.
+inline std::string document(std::string_view title, std::string_view caption, double width,
+                            double height, std::string_view body) {
   const TextStyle heading{.size = 17.0, .bold = true}, note{.colour = grey};
   const auto headings = wrap(title, width, heading), notes = wrap(caption, width, note);
   const double top = margin + heading.leading() * static_cast<double>(headings.size()) + 12.0;
@@ -236,13 +228,29 @@ inline std::string page(std::string_view title, std::string_view caption, double
   const Box paper{.width = width + 2.0 * margin,
                   .height = below + note.leading() * static_cast<double>(notes.size())};
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" xml:space=\"preserve\"" +
-         view(paper) +
-         attribute("font-family", "system-ui,'Segoe UI',Roboto,Helvetica,Arial,sans-serif") +
-         ">\n<title>" + plain(title) + "</title>\n<desc>" + plain(caption) + "</desc>\n" +
-         rectangle(paper, fill(white)) +
+         view(paper) + attribute("font-family", font_family) + ">\n<title>" + plain(title) +
+         "</title>\n<desc>" + plain(caption) + "</desc>\n" + rectangle(paper, fill(white)) +
          text({margin, margin + heading.size * 0.8}, headings, heading) + "<g" +
          attribute("transform", "translate(" + number(margin) + " " + number(top) + ")") + ">\n" +
          std::string(body) + "</g>\n" + text({margin, below}, notes, note) + "</svg>\n";
+}
+
+/// The picture for a page of text, which has the words: `body` alone.
+inline std::string inlined(std::string_view title, double width, double height,
+                           std::string_view body) {
+  constexpr double rim = 3.0;  // strokes are wider than what they follow
+  return "<svg role=\"img\"" + attribute("aria-label", plain(title)) +
+         view({-rim, -rim, width + 2.0 * rim, height + 2.0 * rim}) +
+         attribute("font-family", font_family) + ">\n" + std::string(body) + "</svg>\n";
+}
+
+/// `body` for a medium. A page of many figures says the `conditions` of a run once, a file in its
+/// caption.
+inline std::string sheet(std::string_view title, const std::string& caption,
+                         const std::string& conditions, double width, double height,
+                         std::string_view body, Medium medium) {
+  return medium == Medium::file ? document(title, caption + " " + conditions, width, height, body)
+                                : inlined(title, width, height, body);
 }
 
 }  // namespace drawing

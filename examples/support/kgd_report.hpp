@@ -1,0 +1,173 @@
+/// @file
+/// The report of a run of the verification model.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <hfdem/measure/crack.hpp>
+#include <hfdem/measure/elastic_moduli.hpp>
+#include <hfdem/observe/report.hpp>
+
+#include "support/kgd_figures.hpp"
+#include "support/run_report.hpp"
+
+namespace hfdem::support {
+
+/// What a run came to, SI.
+struct KgdOutcome {
+  measure::CrackShape shape;
+  analytic::KgdFracture kgd;  ///< of the same time, with the paper's E' and K_IC
+  double far_field;           ///< in-situ stress across the crack
+  double peak_pressure;
+  measure::ElasticModuli moduli;
+  RunRecord run;
+};
+
+class KgdReport {
+ public:
+  KgdReport(const KgdConfig& config, const Manifest& manifest)
+      : config_(config), manifest_(manifest) {
+    page_.program = "hfdem " + manifest.version + ", program " + manifest.program;
+    page_.lead = "A crack driven by uniform pressure through a square array of bonded discs: " +
+                 described(config);
+  }
+
+  /// The page of a run, whatever ended it.
+  std::string html(const Kgd& sim, const KgdOutcome& o, const KgdFigures& figures) {
+    page_.title = "A crack of " + observe::fixed(o.shape.full_length(), 3, "m") + " after " +
+                  observe::fixed(sim.time(), 3, "s");
+    if (!o.run.stopped.empty())
+      page_.stopped = "At " + observe::fixed(sim.time(), 4, "s") + " of " +
+                      said(config_.run.end_time, "s").both() + ": " + o.run.stopped +
+                      ". What follows is the state at that moment.";
+    add_answer(sim, o);
+    page_.figure(figures.specimen(sim));
+    page_.section("Growth of the crack");
+    page_.figure(figures.length());
+    page_.figure(figures.aperture());
+    page_.figure(figures.pressure());
+    add_comparison(sim, o);
+    add_numbers(sim, o);
+    add_run(page_, sim, o.run, manifest_);
+    add_origin({{"summary.json", "the answer in numbers, with the references beside them"},
+                {"history.csv", "pressures, length, tips, aperture and volumes over time"},
+                {"profile.csv", "aperture, opening and pressure along the crack at the end"},
+                {"cracks.csv", "time, place, length and mode of every bond that broke"},
+                {"config.toml", "every parameter; repeats the run with --config"},
+                {"specimen.svg", "the first figure above, for other documents"},
+                {"length.svg", "length over time"},
+                {"aperture.svg", "aperture over time"},
+                {"pressure.svg", "injection pressure over time"}});
+    return page_.html();
+  }
+
+  /// The page of a run that could not begin.
+  std::string html(const std::string& reason) {
+    page_.title = "No crack: the run could not begin";
+    page_.stopped = "Before the injection began: " + reason + ".";
+    add_origin({{"config.toml", "every parameter; repeats the run with --config"},
+                {"history.csv", "no row: nothing was injected"}});
+    return page_.html();
+  }
+
+ private:
+  static std::string metres(double v) { return observe::fixed(v, 3, "m"); }
+  static std::string micrometres(double v) { return observe::fixed(v * 1e6, 1, "µm"); }
+  static std::string megapascals(double v) { return observe::fixed(v / 1e6, 2, "MPa"); }
+
+  static std::string millilitres(double v) {
+    return observe::fixed(v * 1e6, 2, "mL") + " per metre of thickness";
+  }
+
+  static std::string difference(double ours, double reference) {
+    const double percent = 100 * (ours / reference - 1);
+    return (percent > 0 ? "+" : "") + observe::fixed(percent, 1, "%");
+  }
+
+  void add_answer(const Kgd& sim, const KgdOutcome& o) {
+    using paper::Verification;
+    const bool paper = at_paper_time(config_, sim.time());
+    const double net = sim.injection_pressure() - o.far_field;
+    const auto beside = [paper](const std::string& published, const std::string& kgd) {
+      return (paper ? "paper " + published + "\n" : "") + "KGD " + kgd;
+    };
+    page_.numbers({{"crack length", metres(o.shape.full_length()),
+                    beside(metres(Verification::full_length), metres(o.kgd.full_length()))},
+                   {"aperture at the injection", micrometres(o.shape.aperture),
+                    beside(micrometres(Verification::aperture), micrometres(o.kgd.width))},
+                   {"injection pressure", megapascals(sim.injection_pressure()),
+                    "net " + megapascals(net) + "\nKGD net " + megapascals(o.kgd.net_pressure)},
+                   {"injection time", observe::fixed(sim.time(), 3, "s"),
+                    "of " + said(config_.run.end_time, "s").both()}});
+  }
+
+  void add_comparison(const Kgd& sim, const KgdOutcome& o) {
+    using paper::Verification;
+    const bool paper = at_paper_time(config_, sim.time());
+    page_.section("Comparison");
+    observe::Table table;
+    table.header = {"", "hfdem", "KGD", "difference"};
+    if (paper) table.header.insert(table.header.begin() + 2, {"paper", "difference"});
+    const auto row = [&](const std::string& name, double ours, double kgd, double published,
+                         auto&& words) {
+      std::vector<std::string> cells{name, words(ours), words(kgd), difference(ours, kgd)};
+      if (paper)
+        cells.insert(
+            cells.begin() + 2,
+            {words(published), std::isnan(published) ? "\u2013" : difference(ours, published)});
+      table.rows.push_back(cells);
+    };
+    row("crack length", o.shape.full_length(), o.kgd.full_length(), Verification::full_length,
+        metres);
+    row("aperture at the injection, w", o.shape.aperture, o.kgd.width, Verification::aperture,
+        micrometres);
+    row("of which opened, w − w_{0}", o.shape.opening, o.kgd.width, NAN, micrometres);
+    row("net pressure", sim.injection_pressure() - o.far_field, o.kgd.net_pressure, NAN,
+        megapascals);
+    page_.table(table);
+    page_.text("KGD is the toughness-dominated fracture in an infinite plane, for E' = " +
+               said(Verification::E_prime, "Pa").both() + " and K_{IC} = " +
+               in_words(Verification::K_IC / 1e6) +
+               " MPa·m^{1/2}, which the paper fitted to the length of its own crack. That lengths "
+               "and widths agree with it is therefore a weak statement.");
+    page_.text(paper ? "The paper prints " + metres(Verification::kgd_full_length) + " and " +
+                           micrometres(Verification::kgd_aperture) + " for the KGD solution."
+                     : "The paper's own results hold for its specimen at 0.9 s, not for this run.");
+  }
+
+  void add_numbers(const Kgd& sim, const KgdOutcome& o) {
+    const double first = sim.breaks().empty() ? NAN : sim.breaks().front().pressure;
+    page_.section("The crack in numbers");
+    page_.facts(
+        {{"tips",
+          metres(o.shape.tip_up) + " and " + metres(o.shape.tip_down) + " from the injection"},
+         {"pressure at the first break", megapascals(first)},
+         {"peak pressure", megapascals(o.peak_pressure)},
+         {"injected", millilitres(sim.injected_volume())},
+         {"held by the crack", millilitres(sim.network().crack_volume())},
+         {"broken bonds", said(static_cast<long>(sim.breaks().size()))},
+         {"of these off the crack's plane", said(measure::broken_off_plane(sim))},
+         {"contacts of the preset crack", said(static_cast<long>(sim.preset_contacts().size()))},
+         {"Young's modulus of the specimen", observe::fixed(o.moduli.young / 1e9, 2, "GPa")},
+         {"Poisson's ratio of the specimen", observe::fixed(o.moduli.poisson, 3)},
+         {"a fluid step ends",
+          config_.simulator.scheme.equilibrium ? "at equilibrium" : "by the paper's rule"}});
+  }
+
+  void add_origin(const std::vector<observe::File>& files) {
+    KgdConfig defaults;
+    defaults.simulator.scheme = defaults.simulator.scheme.resolved();
+    add_parameters(page_, config_, defaults);
+    page_.section("Files");
+    page_.files(files);
+    add_manifest(page_, manifest_);
+  }
+
+  const KgdConfig& config_;
+  const Manifest& manifest_;
+  observe::Report page_;
+};
+
+}  // namespace hfdem::support
