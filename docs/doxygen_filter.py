@@ -1,8 +1,8 @@
 """What Doxygen reads in place of a file.
 
 A parameter is described once, in its table of fields, and coordinates are declared together on one
-line; Doxygen wants a description at every member. And a document's links to files that are not part
-of the reference become plain words.
+line; Doxygen wants a description at every member. And a document's links become references to pages,
+headings and headers; those to other files become plain words.
 
     python3 docs/doxygen_filter.py FILE
 """
@@ -16,9 +16,13 @@ TABLE = re.compile(r"struct \w+ \{((?:(?!\bstruct\b).)*?)(static constexpr auto 
 FIELD = re.compile(r'Field\{\s*"\w+",\s*&[\w:]+::(\w+),\s*"([^"]*)",\s*([^"]*?),\s*((?:"[^"]*"\s*)+)\}',
                    re.S)
 START = r"(?: = [^,;{}]+|\{[^{}]*\})?"
-DECLARATION = re.compile(rf"^( +)([\w:]+(?:<.*>)?) (\w+{START}(?:, \w+{START})*);(?: *///< (.*))?$",
-                         re.M)
+DECLARATION = re.compile(rf"^( *)((?:inline constexpr )?[\w:]+(?:<.*>)?) (\w+{START}(?:,\s+\w+{START})*);"
+                         r"(?: *///< (.*))?$", re.M)
 ABBREVIATION = re.compile(r"\b(Figs?|Eqs?|e\.g|[A-Z])\. ")
+HEADING = re.compile(r"^#(?:#+ (.*)| .*)$", re.M)
+LINK = re.compile(r"(?<!!)\[([^\]]+)\]\((?!\w+:)([^)\s#]+)(?:#([^)\s]+))?\)")
+FENCED = re.compile(r"(^```.*?^```$)", re.M | re.S)
+CODE = re.compile(r"`([^`]+)`")
 NAMED_RANGES = {"any_number": "", "positive": "greater than 0", "non_negative": "at least 0"}
 
 
@@ -63,7 +67,7 @@ def describe(declarations, described):
     def line(match):
         indent, kind, names, comment = match.groups()
         members = []
-        for one in re.split(r", (?=\w)", names):
+        for one in re.findall(rf"\w+{START}", names):
             words = "; ".join(filter(None, [described.get(re.match(r"\w+", one).group()), comment]))
             if not words:
                 return match.group()
@@ -98,9 +102,31 @@ def header(text):
     return describe(TABLE.sub(with_table, text), {})
 
 
+def label(page, heading):
+    """The label of a heading (its link's fragment), or of a page if there is none."""
+    words = re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+    name = page.parent.name if page.stem == "README" else page.stem
+    return "-".join(filter(None, [name, words]))
+
+
+def link(match):
+    words, target, heading = match.groups()
+    if target.endswith(".hpp") and "include/" in target:
+        return f'@ref {target.split("include/")[1]} "{words}"'
+    if target.endswith(".md"):
+        return f'@ref {label(pathlib.Path(target), heading or "")} "{words}"'
+    return words
+
+
+def prose(text):
+    text = CODE.sub(r"``\1``", text)  # to Doxygen, ` and ' are a pair of quotation marks
+    text = HEADING.sub(lambda line: f"{line[0]} {{#{label(file, line[1] or '')}}}", text)
+    return LINK.sub(link, text)
+
+
 def document(text):
-    text = re.sub(r"\[([^\]]+)\]\(\.\./include/([^)]*\.hpp)\)", r'@ref \2 "\1"', text)
-    return re.sub(r"(?<!!)\[([^\]]+)\]\(\.\./[^)]*\)", r"\1", text)
+    parts = FENCED.split(text)
+    return "".join(part if part.startswith("```") else prose(part) for part in parts)
 
 
 file = pathlib.Path(sys.argv[1])

@@ -22,10 +22,11 @@ using namespace hfdem::support;
 
 namespace {
 
-int run(const CommandLine& options, const KgdConfig& config, const Manifest& manifest) {
+int run(const CommandLine& options, const KgdConfig& config, const Manifest& manifest,
+        const std::optional<MeasuredToughness>& toughness) {
   const OutputFolder folder(options.out);
   folder.write("config.toml", to_toml(config));
-  KgdResults results(folder, config, manifest);
+  KgdResults results(folder, config, manifest, toughness);
   std::optional<Kgd> sim;
   try {
     sim.emplace(square_array(config.specimen), config.simulator);
@@ -50,20 +51,18 @@ int main(int argc, char** argv) {
   CLI::App app{"A fluid-driven crack through a square array of bonded discs"};
   CommandLine options;
   options.add_to(app);
-  try {
+  std::string toughness;
+  app.add_option("--toughness", toughness,
+                 "what slits measured (toughness.toml of the program "
+                 "toughness), to predict the run with");
+  return guarded("kgd", app, [&] {
     app.parse(argc, argv);
     let_waiting_threads_sleep(options.threads, argv);
     KgdConfig config = options.quick ? KgdConfig::quick() : KgdConfig{};
     options.configure(config);
     config.simulator.scheme = config.simulator.scheme.resolved();
-    return run(options, config, manifest("kgd", argc, argv, options.threads));
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? success : bad_input;
-  } catch (const InvalidParameter& e) {
-    std::fprintf(stderr, "kgd: %s\n", e.what());
-    return bad_input;
-  } catch (const OutputFailed& e) {
-    std::fprintf(stderr, "kgd: %s\n", e.what());
-    return output_failed;
-  }
+    std::optional<MeasuredToughness> measured;
+    if (!toughness.empty()) measured = read_toughness(toughness);
+    return run(options, config, manifest("kgd", argc, argv, options.threads), measured);
+  });
 }

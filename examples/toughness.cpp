@@ -28,6 +28,11 @@ std::vector<measure::SlitTest> test_slits(const ToughnessConfig& config, int thr
   const Lattice& lattice = config.lattice;
   const double closing = std::fmin(lattice.in_situ.xx, lattice.in_situ.yy);
   const std::vector<int> lengths = config.slits.contacts();
+  const bool upright = crack_direction(lattice.in_situ).y != 0;
+  const int most = (upright ? lattice.specimen.rows : lattice.specimen.columns) * 9 / 10;
+  if (lengths.back() > most)
+    refuse("slits", "longest", std::to_string(config.slits.longest),
+           "at most " + std::to_string(most) + ": a slit needs rock ahead of its tips");
   ProgressLine progress(quiet);
   std::vector<measure::SlitTest> tests;
   for (const int contacts : lengths) {

@@ -14,6 +14,7 @@
 
 #include "support/kgd_model.hpp"
 #include "support/paper.hpp"
+#include "support/prediction.hpp"
 #include "support/settings.hpp"
 
 namespace hfdem::support {
@@ -35,6 +36,13 @@ inline analytic::KgdFracture paper_kgd(const KgdConfig& c, double time) {
                                     c.simulator.injection.rate, time);
 }
 
+/// The KGD fracture to stand beside a run: with measured toughness if there is some, otherwise the
+/// paper's.
+inline analytic::KgdFracture kgd_reference(const KgdConfig& c, const Prediction* prediction,
+                                           double time) {
+  return prediction != nullptr && time > 0 ? prediction->in_plane(time) : paper_kgd(c, time);
+}
+
 /// Whether a run is of the paper's model; its rule and its mechanics are free.
 inline bool is_paper_model(KgdConfig config) {
   const KgdConfig paper;
@@ -51,8 +59,10 @@ inline bool at_paper_time(const KgdConfig& config, double time) {
 
 class KgdFigures {
  public:
-  KgdFigures(const KgdConfig& config, const std::vector<observe::Instant>& history)
-      : config_(config), history_(history) {}
+  /// @param prediction to draw beside the run; null if there is none
+  KgdFigures(const KgdConfig& config, const std::vector<observe::Instant>& history,
+             const Prediction* prediction)
+      : config_(config), history_(history), prediction_(prediction) {}
 
   /// Fig. 6a.
   observe::Chart aperture() const {
@@ -65,8 +75,10 @@ class KgdFigures {
                              reference(),
                          .conditions = described(config_),
                          .x_range = from_zero()};
+    const double w0 = config_.simulator.aperture.w0;
     chart.series = {series("hfdem", [](const auto& i) { return i.crack.aperture * 1e6; }),
                     kgd([](const analytic::KgdFracture& k) { return k.width * 1e6; })};
+    add_predicted(chart, [w0](const auto& state) { return (state.opening + w0) * 1e6; });
     add_paper(chart, paper::Verification::aperture * 1e6);
     return chart;
   }
@@ -84,6 +96,7 @@ class KgdFigures {
                          .x_range = from_zero()};
     chart.series = {series("hfdem", [](const auto& i) { return i.crack.full_length(); }),
                     kgd([](const analytic::KgdFracture& k) { return k.full_length(); })};
+    add_predicted(chart, [](const auto& state) { return state.full_length; });
     add_paper(chart, paper::Verification::full_length);
     return chart;
   }
@@ -104,6 +117,8 @@ class KgdFigures {
                      .y = {closing, closing},
                      .style = observe::Series::Style::dashed,
                      .colour = observe::okabe_ito::black}};
+    add_predicted(chart,
+                  [closing](const auto& state) { return closing + state.net_pressure / 1e6; });
     return chart;
   }
 
@@ -154,9 +169,27 @@ class KgdFigures {
     const double end = end_time();
     for (int k = 1; k <= points; ++k) {
       s.x.push_back(end * k / points);
-      s.y.push_back(value(paper_kgd(config_, s.x.back())));
+      s.y.push_back(value(kgd_reference(config_, prediction_, s.x.back())));
     }
     return s;
+  }
+
+  /// The staircase in the specimen, if slits were tested; below the run's own line.
+  template <class F>
+  void add_predicted(observe::Chart& chart, F&& value) const {
+    if (prediction_ == nullptr) return;
+    observe::Series s{.name = "predicted from slits", .style = observe::Series::Style::dotted};
+    constexpr int points = 2000;
+    for (int k = 1; k <= points; ++k) {
+      const auto state = prediction_->in_specimen(end_time() * k / points);
+      if (!state) break;
+      s.x.push_back(end_time() * k / points);
+      s.y.push_back(value(*state));
+    }
+    chart.series.push_back(std::move(s));
+    chart.caption +=
+        " Predicted from slits: stepwise growth in this specimen, nothing fitted to "
+        "a run.";
   }
 
   void add_paper(observe::Chart& chart, double value) const {
@@ -164,7 +197,9 @@ class KgdFigures {
     if (at_paper_time(config_, time)) chart.points = {{"paper (numerical)", time, value}};
   }
 
-  static std::string reference() {
+  std::string reference() const {
+    if (prediction_ != nullptr)
+      return "KGD: toughness vertex with E' and K_{IC} measured with slits.";
     return "KGD: toughness vertex with the paper's E' = " +
            in_words(paper::Verification::E_prime / 1e9) + " GPa and K_{IC} = " +
            in_words(paper::Verification::K_IC / 1e6) + " MPa·m^{1/2}.";
@@ -177,6 +212,7 @@ class KgdFigures {
 
   const KgdConfig& config_;
   const std::vector<observe::Instant>& history_;
+  const Prediction* prediction_;
 };
 
 }  // namespace hfdem::support

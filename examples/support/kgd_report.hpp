@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <hfdem/observe/report.hpp>
 
 #include "support/kgd_figures.hpp"
+#include "support/prediction_results.hpp"
 #include "support/run_report.hpp"
 
 namespace hfdem::support {
@@ -23,6 +25,7 @@ struct KgdOutcome {
   double peak_pressure;
   measure::ElasticModuli moduli;
   RunRecord run;
+  std::optional<PredictionResults> predicted;  ///< if slits were tested
 };
 
 class KgdReport {
@@ -48,6 +51,7 @@ class KgdReport {
     page_.figure(figures.length());
     page_.figure(figures.aperture());
     page_.figure(figures.pressure());
+    if (o.predicted) o.predicted->add_to(page_, config_.simulator.scheme.equilibrium);
     add_comparison(sim, o);
     add_numbers(sim, o);
     add_run(page_, sim, o.run, manifest_);
@@ -55,6 +59,9 @@ class KgdReport {
                 {"history.csv", "pressures, length, tips, aperture and volumes over time"},
                 {"profile.csv", "aperture, opening and pressure along the crack at the end"},
                 {"cracks.csv", "time, place, length and mode of every bond that broke"},
+                {"paraview/particles.pvd", "discs over time, for ParaView: displacement, stress"},
+                {"paraview/contacts.pvd", "contacts over time: force, moment, state"},
+                {"paraview/cracks.pvd", "broken contacts over time: aperture, pressure"},
                 {"config.toml", "every parameter; repeats the run with --config"},
                 {"specimen.svg", "the first figure above, for other documents"},
                 {"length.svg", "length over time"},
@@ -90,15 +97,22 @@ class KgdReport {
     using paper::Verification;
     const bool paper = at_paper_time(config_, sim.time());
     const double net = sim.injection_pressure() - o.far_field;
-    const auto beside = [paper](const std::string& published, const std::string& kgd) {
-      return (paper ? "paper " + published + "\n" : "") + "KGD " + kgd;
+    // What slits predict, if they were tested, is the better reference.
+    const auto slits = o.predicted ? o.predicted->in_specimen() : std::nullopt;
+    const std::string name = slits ? "predicted " : "KGD ";
+    const auto beside = [&](const std::string& published, const std::string& reference) {
+      return (paper ? "paper " + published + "\n" : "") + name + reference;
     };
+    const double w0 = config_.simulator.aperture.w0;
     page_.numbers({{"crack length", metres(o.shape.full_length()),
-                    beside(metres(Verification::full_length), metres(o.kgd.full_length()))},
+                    beside(metres(Verification::full_length),
+                           metres(slits ? slits->full_length : o.kgd.full_length()))},
                    {"aperture at the injection", micrometres(o.shape.aperture),
-                    beside(micrometres(Verification::aperture), micrometres(o.kgd.width))},
+                    beside(micrometres(Verification::aperture),
+                           micrometres(slits ? slits->opening + w0 : o.kgd.width))},
                    {"injection pressure", megapascals(sim.injection_pressure()),
-                    "net " + megapascals(net) + "\nKGD net " + megapascals(o.kgd.net_pressure)},
+                    "net " + megapascals(net) + "\n" + name + "net " +
+                        megapascals(slits ? slits->net_pressure : o.kgd.net_pressure)},
                    {"injection time", observe::fixed(sim.time(), 3, "s"),
                     "of " + said(config_.run.end_time, "s").both()}});
   }

@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <hfdem/observe/history.hpp>
+#include <hfdem/observe/paraview.hpp>
 
 #include "support/kgd_report.hpp"
 #include "support/output_folder.hpp"
@@ -19,22 +22,30 @@ namespace hfdem::support {
 /// run, what was written stays.
 class KgdResults {
  public:
-  KgdResults(const OutputFolder& folder, const KgdConfig& config, const Manifest& manifest)
+  /// @param measured toughness to predict the run with, if there is some
+  KgdResults(const OutputFolder& folder, const KgdConfig& config, const Manifest& manifest,
+             std::optional<MeasuredToughness> measured)
       : folder_(folder),
         config_(config),
         manifest_(manifest),
+        measured_(std::move(measured)),
         far_field_(std::fmin(config.simulator.in_situ.xx, config.simulator.in_situ.yy)),
         history_file_(folder.open("history.csv")),
-        history_(history_file_, config.run.output_interval, far_field_) {}
+        history_(history_file_, config.run.output_interval, far_field_),
+        paraview_(folder.path() / "paraview", config.run.snapshot_interval) {}
 
   /// Call once the specimen has settled.
   void begin(const Kgd& sim) {
     moduli_ = moduli(sim);
+    if (measured_)
+      prediction_.emplace(*measured_, config_, static_cast<int>(sim.preset_contacts().size()));
+    paraview_.write(sim);
     watch_ = Stopwatch();
   }
 
   void fluid_step(const Kgd& sim, const FluidStep& step) {
     history_.fluid_step(sim, step);
+    paraview_.fluid_step(sim, step);
     see_pressure(sim.injection_pressure());
     unconverged_ += step.converged ? 0 : 1;
   }
@@ -48,14 +59,16 @@ class KgdResults {
                              far_field_,
                              peak_pressure_,
                              moduli_,
-                             {stopped, unconverged_, watch_.seconds()}};
+                             {stopped, unconverged_, watch_.seconds()},
+                             predicted(sim)};
+    paraview_.write(sim);
     folder_.close(history_file_, "history.csv");
     std::ofstream profile = folder_.open("profile.csv"), cracks = folder_.open("cracks.csv");
     observe::write_profile(profile, sim);
     observe::write_cracks(cracks, sim);
     folder_.close(profile, "profile.csv");
     folder_.close(cracks, "cracks.csv");
-    const KgdFigures figures(config_, history_.instants());
+    const KgdFigures figures(config_, history_.instants(), prediction_ ? &*prediction_ : nullptr);
     folder_.write("aperture.svg", svg(figures.aperture()));
     folder_.write("length.svg", svg(figures.length()));
     folder_.write("pressure.svg", svg(figures.pressure()));
@@ -63,6 +76,7 @@ class KgdResults {
     folder_.write("summary.json", summarise(sim, outcome).json());
     folder_.write("report.html", KgdReport(config_, manifest_).html(sim, outcome, figures));
     text_ = describe(sim, outcome);
+    if (outcome.predicted) text_ += outcome.predicted->text();
   }
 
   /// @param reason why the specimen could not even settle
@@ -79,15 +93,23 @@ class KgdResults {
 
   static measure::ElasticModuli moduli(const Kgd& sim) {
     try {
-      return measure::elastic_moduli<LinearParallelBond, FixedPairs>(
+      return measure::elastic_moduli<Kgd::ContactPolicy, Kgd::NeighbourPolicy>(
           sim.specimen(), sim.params().contact, sim.params().in_situ, sim.params().mechanics);
     } catch (const RunStopped&) {
       return {NAN, NAN};  // stresses that break the intact specimen: no elastic answer
     }
   }
 
+  std::optional<PredictionResults> predicted(const Kgd& sim) const {
+    if (!prediction_ || sim.time() == 0) return {};
+    const auto shape = measure::crack_shape(sim);
+    return PredictionResults(
+        *prediction_, sim.time(),
+        {shape.full_length(), shape.opening, sim.injection_pressure() - far_field_});
+  }
+
   Summary summarise(const Kgd& sim, const KgdOutcome& outcome) const {
-    const auto& [shape, kgd, far_field, peak_pressure, moduli, run] = outcome;
+    const auto& [shape, kgd, far_field, peak_pressure, moduli, run, predicted] = outcome;
     const long steps = sim.mechanical_steps();
     Summary s;
     s.set("time_s", sim.time());
@@ -130,11 +152,12 @@ class KgdResults {
     s.compare("kgd/net_pressure_Pa", sim.injection_pressure() - far_field, kgd.net_pressure);
     s.set("kgd/full_length_printed_in_paper_m", paper::Verification::kgd_full_length);
     s.set("kgd/aperture_printed_in_paper_m", paper::Verification::kgd_aperture);
+    if (predicted) predicted->summarise(s);
     return s;
   }
 
   static std::string describe(const Kgd& sim, const KgdOutcome& outcome) {
-    const auto& [shape, kgd, far_field, peak_pressure, moduli, run] = outcome;
+    const auto& [shape, kgd, far_field, peak_pressure, moduli, run, predicted] = outcome;
     char text[800];
     std::snprintf(text, sizeof text,
                   "t = %.3g s            hfdem     paper, t = 0.9 s   KGD, infinite plane\n"
@@ -153,9 +176,12 @@ class KgdResults {
   const OutputFolder& folder_;
   const KgdConfig& config_;
   const Manifest& manifest_;
+  std::optional<MeasuredToughness> measured_;
+  std::optional<Prediction> prediction_;
   double far_field_;
   std::ofstream history_file_;
   observe::History history_;
+  observe::ParaView paraview_;
   measure::ElasticModuli moduli_{};
   long unconverged_ = 0;
   double peak_pressure_ = 0;

@@ -4,26 +4,20 @@
 
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <string>
+
+#include <hfdem/observe/whole_file.hpp>
 
 namespace hfdem::support {
 
-/// A file or folder that cannot be written.
-struct OutputFailed : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using OutputFailed = observe::WriteFailed;
 
 class OutputFolder {
  public:
   /// @throws OutputFailed if the folder cannot be made
-  explicit OutputFolder(const std::string& path) : path_(path) {
-    std::error_code error;
-    std::filesystem::create_directories(path_, error);
-    if (error || !std::filesystem::is_directory(path_))
-      throw OutputFailed("cannot make the folder " + path + ": " +
-                         (error ? error.message() : "a file of this name exists"));
-  }
+  explicit OutputFolder(const std::string& path) : path_(path) { observe::make_folder(path_); }
+
+  const std::filesystem::path& path() const { return path_; }
 
   /// @throws OutputFailed if the file cannot be opened
   std::ofstream open(const std::string& name) const {

@@ -12,12 +12,15 @@ namespace hfdem::support {
 struct RunOptions {
   double end_time = 0.9;
   double output_interval = 1e-4;
+  double snapshot_interval = 0.1;
 
   static constexpr auto fields() {
     using P = RunOptions;
     return std::tuple{Field{"end_time", &P::end_time, "s", positive, "injection time"},
                       Field{"output_interval", &P::output_interval, "s", positive,
-                            "time between two rows of history.csv"}};
+                            "time between two rows of history.csv"},
+                      Field{"snapshot_interval", &P::snapshot_interval, "s", positive,
+                            "time between two steps of the files for ParaView"}};
   }
 };
 

@@ -3,19 +3,38 @@
 /// policies, and compiles faster.
 #pragma once
 
-#include <hfdem/analytic/kgd.hpp>
+#include <hfdem/analytic/kgd_regime.hpp>
+#include <hfdem/analytic/plate_growth.hpp>
+#include <hfdem/analytic/pressurised_crack.hpp>
+#include <hfdem/analytic/stepwise_growth.hpp>
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/base/units.hpp>
 #include <hfdem/base/version.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/measure/elastic_moduli.hpp>
+#include <hfdem/measure/particle_stress.hpp>
+#include <hfdem/measure/path_profile.hpp>
+#include <hfdem/measure/slit.hpp>
+#include <hfdem/measure/toughness.hpp>
+#include <hfdem/neighbours/cell_grid.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
 #include <hfdem/observe/chart.hpp>
+#include <hfdem/observe/fracture_map.hpp>
 #include <hfdem/observe/history.hpp>
+#include <hfdem/observe/paraview.hpp>
+#include <hfdem/observe/report.hpp>
 #include <hfdem/observe/specimen_picture.hpp>
+#include <hfdem/observe/stress_map.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
 #include <hfdem/pressure/uniform.hpp>
+#include <hfdem/setup/random_packing.hpp>
+#include <hfdem/setup/specimen_file.hpp>
 #include <hfdem/setup/square_array.hpp>
 #include <hfdem/simulator.hpp>
+
+// The one header that needs a package.
+#if __has_include(<nanoflann.hpp>)
+#include <hfdem/neighbours/kd_tree.hpp>
+#endif

@@ -13,12 +13,18 @@
 #include <tuple>
 #include <vector>
 
+#include <hfdem/analytic/kgd.hpp>
+#include <hfdem/analytic/lattice_fracture.hpp>
+#include <hfdem/analytic/plate_growth.hpp>
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/base/units.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
+#include <hfdem/measure/measurement_circle.hpp>
+#include <hfdem/measure/toughness.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
 #include <hfdem/pressure/uniform.hpp>
+#include <hfdem/setup/random_packing.hpp>
 #include <hfdem/setup/square_array.hpp>
 #include <hfdem/simulator_params.hpp>
 
@@ -33,7 +39,10 @@ namespace {
 /// All parameters that describe themselves; the first test sees to it that none is forgotten.
 using AllParams = std::tuple<LinearParallelBond::Params, HyperbolicAperture::Params, Dry::Params,
                              HeldPressure::Params, UniformPressure::Params, Loading::Params,
-                             Mechanics, Stress, PresetCrack, Injection, Fluid, SquareArray>;
+                             Mechanics, Stress, PresetCrack, Injection, Fluid, SquareArray,
+                             RandomPacking, analytic::KgdProblem, analytic::LatticeFracture,
+                             analytic::OrthotropicPlane, analytic::ToughnessLaw,
+                             measure::SlitSeries, measure::CircleGrid>;
 
 using Tree = SimulatorParams<LinearParallelBond, HyperbolicAperture, UniformPressure>;
 

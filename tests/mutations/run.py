@@ -123,6 +123,12 @@ MUTATIONS = [
     ("K_I of a pressurised crack", CRACK, "net_pressure * std::sqrt(", "1.05 * net_pressure * std::sqrt(", "analytic/pressurised_crack"),
     ("stress ahead of a crack", CRACK, "xi * xi - 1)", "xi * xi - 1.05)", "analytic/pressurised_crack"),
     ("pressure of growth", CRACK, "K_IC / std", "1.05 * K_IC / std", "analytic/pressurised_crack"),
+    ("modulus from a slit", "measure/toughness.hpp", "4 * a * factors.width", "4.2 * a * factors.width", "measures/toughness_fit"),
+    ("toughness from a slit", "measure/toughness.hpp", "p * factors.toughness * std::sqrt(pi * a)", "p * factors.toughness * std::sqrt(1.1 * pi * a)", "measures/toughness_fit"),
+    ("overhang of a slit", "measure/toughness.hpp", "(r.y * std::sqrt(test.rock.E_prime) - r.x)", "(r.y * std::sqrt(1.05 * test.rock.E_prime) - r.x)", "measures/toughness_fit"),
+    ("pressure of a step", "analytic/stepwise_growth.hpp", "rock.K_IC_per_pressure);", "1.05 * rock.K_IC_per_pressure);", "measures/toughness_fit"),
+    ("volume of a step", "analytic/stepwise_growth.hpp", "length / 2 + rock_.overhang", "length / 2 + 1.05 * rock_.overhang", "measures/toughness_fit"),
+    ("opening of a step", "analytic/stepwise_growth.hpp", "return 2 * length * net_pressure", "return 2.1 * length * net_pressure", "measures/toughness_fit"),
 ]
 
 FLAGS = "-std=c++20 -O1 -w -ffp-contract=off -I/usr/include/eigen3".split()

@@ -30,10 +30,10 @@ inline double k_prime(double K_IC) { return 4 * std::sqrt(2 / std::numbers::pi) 
 struct KgdProblem {
   double E_prime = 0, K_IC = 0, viscosity = 0, leak_off = 0, rate = 0, time = 0;
 
-  double K_prime() const { return k_prime(K_IC); }
-  double mu_prime() const { return 12 * viscosity; }
-  double C_prime() const { return 2 * leak_off; }
-  double volume() const { return rate * time; }
+  double K_prime() const { return k_prime(K_IC); }    ///< Pa sqrt(m)
+  double mu_prime() const { return 12 * viscosity; }  ///< Pa s
+  double C_prime() const { return 2 * leak_off; }     ///< m/s^0.5
+  double volume() const { return rate * time; }       ///< injected by both wings, m2
 
   static constexpr auto fields() {
     using P = KgdProblem;
@@ -55,10 +55,10 @@ struct KgdFracture {
   double width = 0;         ///< at the injection, m
   double net_pressure = 0;  ///< at the injection, Pa
   double efficiency = 1;    ///< volume of the fracture over volume injected
-  WidthShape shape{};
-  FluidFlow flow{};
+  WidthShape shape{};       ///< of the width along a wing
+  FluidFlow flow{};         ///< along a wing
 
-  double full_length() const { return 2 * half_length; }
+  double full_length() const { return 2 * half_length; }  ///< from tip to tip, m
   /// Volume of both wings, m2.
   double volume() const { return 2 * half_length * width * shape.area_beyond(0); }
   /// Width at a distance from the injection, m.
@@ -82,6 +82,7 @@ struct KgdScales {
   double leak_off;   ///< C' / Q^(1/2)
 };
 
+/// Those of a problem.
 inline KgdScales scales(const KgdProblem& p) {
   const double length = std::sqrt(p.rate) * std::sqrt(p.time);
   return {length, p.K_prime() / p.E_prime / std::sqrt(length), p.mu_prime() / p.E_prime / p.time,

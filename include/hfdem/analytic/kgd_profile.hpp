@@ -36,9 +36,10 @@ inline double incomplete_beta(double x, double a, double b) {
 
 /// Width relative to the injection: (1 + xi)^mouth (1 - xi)^tip. The default is an ellipse.
 struct WidthShape {
-  double mouth = 0.5;
-  double tip = 0.5;
+  double mouth = 0.5;  ///< power of 1 + xi
+  double tip = 0.5;    ///< power of 1 - xi: how the tip closes
 
+  /// w / w(0) at `xi`; 0 beyond the tip.
   double at(double xi) const {
     return xi < 1 ? std::pow(1 + xi, mouth) * std::pow(1 - xi, tip) : 0;
   }

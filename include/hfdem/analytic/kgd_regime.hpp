@@ -23,6 +23,7 @@ inline double dimensionless_toughness(const KgdProblem& p) {
   return p.K_prime() / p.E_prime / root(p.mu_prime() / p.E_prime) / root(p.rate);
 }
 
+/// Which vertex a fracture is close to, if any.
 enum class KgdRegime {
   storage_toughness,
   storage_viscosity,
@@ -48,9 +49,10 @@ inline KgdRegime regime(const KgdProblem& p) {
   return KgdRegime::transitional;
 }
 
+/// A vertex, and how far it is from the general solution.
 struct NearestVertex {
   KgdRegime regime = KgdRegime::transitional;  ///< never that, once found
-  KgdFracture fracture{};
+  KgdFracture fracture{};                      ///< of the same problem at the vertex
   /// From `general`: the root of the sum of the squares of the logarithms of the ratios of
   /// half-length and width at the injection.
   double distance = INFINITY;

@@ -63,6 +63,7 @@ class CrackedPlate {
  public:
   /// @param width along the crack, m
   /// @param rock with rho from 0.3 to 6
+  /// @param sides what holds them
   /// @param height_per_width of the plate, 0.5 to 2
   /// @throws InvalidParameter naming the number that is out of range
   CrackedPlate(double width, const OrthotropicPlane& rock, PlateSides sides,

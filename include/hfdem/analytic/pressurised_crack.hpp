@@ -10,6 +10,7 @@
 
 namespace hfdem::analytic {
 
+/// A crack and what opens it.
 struct PressurisedCrack {
   double E_prime;       ///< plane modulus, Pa
   double half_length;   ///< m

@@ -19,6 +19,7 @@
 
 namespace hfdem::analytic {
 
+/// The staircase of one specimen.
 class StepwiseGrowth {
  public:
   /// A length and the break that ends it.
@@ -28,14 +29,18 @@ class StepwiseGrowth {
     double net_pressure;  ///< Pa
     double volume;        ///< injected until then, m2
   };
+  /// The crack between two breaks.
   struct State {
     double full_length;   ///< m
     double opening;       ///< w - w0 at the middle, m
     double net_pressure;  ///< Pa
   };
 
+  /// @param plate the specimen
+  /// @param rock as slit tests of it say
   /// @param facet length of one broken contact, m
   /// @param preset_contacts broken ones when injection begins
+  /// @throws InvalidParameter if there are none
   StepwiseGrowth(const CrackedPlate& plate, const LatticeFracture& rock, double facet,
                  int preset_contacts)
       : plate_(plate), rock_(rock) {
@@ -51,6 +56,7 @@ class StepwiseGrowth {
     }
   }
 
+  /// In their order, up to the longest crack whose factors the plate knows.
   std::span<const Break> breaks() const { return breaks_; }
 
   /// The crack once a volume is injected, m2; nothing if the plate has split by then.

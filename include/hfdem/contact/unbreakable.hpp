@@ -13,6 +13,7 @@ class Unbreakable : public Law {
  public:
   using Law::Law;
 
+  /// None, under any force.
   template <class T, class Response>
   Failure<T> failure(const typename Law::template Stiffness<T>&, const Response&) const noexcept {
     return Failure<T>{.tension = {}, .shear = {}};

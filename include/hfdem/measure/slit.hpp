@@ -20,8 +20,10 @@ namespace hfdem::measure {
 template <ContactLaw Contact, ApertureLaw Aperture, NeighbourSearch Neighbours>
 class Slit {
  public:
+  /// The simulator that holds it open.
   using Sim = Simulator<Unbreakable<Contact>, Aperture, HeldPressure, Neighbours>;
 
+  /// @param specimen in whose middle the slit lies
   /// @param params of the specimen; its crack is replaced by the slit
   /// @param contacts broken ones; an even number is centred on a domain
   /// @throws InvalidParameter, RunStopped as the simulator does
@@ -93,7 +95,9 @@ class Slit {
   }
 
   double half_length() const { return crack_shape(sim_).full_length() / 2; }  ///< m
+  /// The simulator in its present state.
   const Sim& sim() const { return sim_; }
+  /// Number of threads for the loops; the results do not depend on it.
   void use_threads(int threads) { sim_.use_threads(threads); }
 
  private:

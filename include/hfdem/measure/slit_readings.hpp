@@ -17,8 +17,9 @@ struct SlitState {
 
 /// A straight line through points, by least squares.
 struct Line {
-  double slope = 0, intercept = 0;
+  double slope = 0, intercept = 0;  ///< y = slope x + intercept
 
+  /// @param points at two places x or more
   static Line through(const std::vector<Vec2>& points) {
     Vec2 mean{};
     for (const Vec2& p : points) mean = mean + (1 / static_cast<double>(points.size())) * p;

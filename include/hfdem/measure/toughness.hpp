@@ -57,13 +57,13 @@ struct SlitSeries {
 struct ToughnessTest {
   /// One slit in the finite plate.
   struct Reading {
-    SlitTest slit;
+    SlitTest slit;   ///< what was read
     double E_prime;  ///< from its opening, Pa
     double K_IC;     ///< at its first break, Pa sqrt(m)
   };
-  std::vector<Reading> readings{};
-  double E_prime_from_volume = 0;  ///< Pa; that of `rock` is from the openings
-  analytic::LatticeFracture rock{};
+  std::vector<Reading> readings{};   ///< one per slit
+  double E_prime_from_volume = 0;    ///< Pa; that of `rock` is from the openings
+  analytic::LatticeFracture rock{};  ///< what all slits say of it
 };
 
 /// Fits the slits to the finite plate. Young's modulus, Poisson's ratio and shear modulus of `rock`

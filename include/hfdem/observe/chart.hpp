@@ -20,29 +20,32 @@ namespace hfdem::observe {
 
 /// A line through (x, y), named where it ends; a value that is not finite breaks it.
 struct Series {
+  /// How it is drawn.
   enum class Style { line, dashed, dotted, markers };
 
-  std::string name{};
-  std::vector<double> x{}, y{};
-  Style style = Style::line;
+  std::string name{};                           ///< shown where the line ends
+  std::vector<double> x{}, y{};                 ///< in the units of the axes
+  Style style = Style::line;                    ///< how it is drawn
   std::optional<Colour> colour = std::nullopt;  ///< unset: the next one of the palette
 
+  /// Number of points: values without a partner do not count.
   [[nodiscard]] std::size_t size() const { return std::min(x.size(), y.size()); }
 };
 
 /// A single value, such as a published one, drawn as a ring with its name beside it.
 struct Point {
-  std::string name;
-  double x = 0.0, y = 0.0;
-  Colour colour = drawing::ink;
+  std::string name;              ///< shown beside the ring
+  double x = 0.0, y = 0.0;       ///< in the units of the axes
+  Colour colour = drawing::ink;  ///< of the ring
 };
 
+/// Lines and single values over a pair of axes.
 struct Chart {
-  std::string title{}, x_label{}, y_label{};
-  std::string caption{};         ///< what to see
-  std::string conditions{};      ///< with which parameters
-  std::vector<Series> series{};  ///< later ones lie on top
-  std::vector<Point> points{};
+  std::string title{}, x_label{}, y_label{};  ///< of the chart; of the axes, with their units
+  std::string caption{};                      ///< what to see
+  std::string conditions{};                   ///< with which parameters
+  std::vector<Series> series{};               ///< later ones lie on top
+  std::vector<Point> points{};                ///< over the lines
   std::optional<Range> x_range = std::nullopt, y_range = std::nullopt;  ///< unset: fit the data
 };
 
@@ -218,6 +221,7 @@ class Plot {
 
 }  // namespace drawing
 
+/// The caption of the picture.
 inline std::string caption(const Chart& chart) { return chart.caption; }
 
 /// The chart as SVG; in a file it is 848 pixels wide.

@@ -18,8 +18,9 @@
 
 namespace hfdem::observe {
 
+/// The values between two numbers.
 struct Range {
-  double low = 0.0, high = 1.0;
+  double low = 0.0, high = 1.0;  ///< its ends
 };
 
 namespace drawing {

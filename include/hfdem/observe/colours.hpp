@@ -13,14 +13,16 @@
 
 namespace hfdem::observe {
 
+/// A colour of the screen (sRGB).
 struct Colour {
-  std::uint8_t red = 0, green = 0, blue = 0;
+  std::uint8_t red = 0, green = 0, blue = 0;  ///< 0 to 255
 };
 
 /// Colours of Okabe and Ito, which people with any colour vision can tell apart.
 namespace okabe_ito {
 inline constexpr Colour black{0, 0, 0}, orange{230, 159, 0}, sky_blue{86, 180, 233},
-    green{0, 158, 115}, blue{0, 114, 178}, vermillion{213, 94, 0}, purple{204, 121, 167};
+    green{0, 158, 115}, blue{0, 114, 178}, vermillion{213, 94, 0},
+    purple{204, 121, 167};  ///< as named
 }  // namespace okabe_ito
 
 /// The colours of lines, in the order in which they are given out.

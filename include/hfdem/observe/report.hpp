@@ -25,54 +25,59 @@ namespace hfdem::observe {
 
 /// One number of the answer; below it stands what it is to be compared with, line by line.
 struct KeyNumber {
-  std::string name, value;
-  std::string beside{};
+  std::string name, value;  ///< what it is; how much, with its unit
+  std::string beside{};     ///< lines of words
 };
 
 /// An SVG without ids, so that pictures cannot clash; `phone` is shown instead on narrow screens.
 struct Figure {
-  std::string title, caption, svg;
-  std::string phone{};
+  std::string title, caption, svg;  ///< the picture and the words below it
+  std::string phone{};              ///< empty: `svg` on every screen
 };
 
 /// Rows of words; the first column names the row.
 struct Table {
-  std::string caption{};
-  std::vector<std::string> header{};
-  std::vector<std::vector<std::string>> rows{};
+  std::string caption{};                         ///< above it
+  std::vector<std::string> header{};             ///< names of the columns
+  std::vector<std::vector<std::string>> rows{};  ///< as wide as the header
 };
 
+/// What is known under a name, such as the version.
 struct Fact {
-  std::string name, value;
-  bool code = false;  ///< to be shown letter by letter
+  std::string name, value;  ///< what it is; what it is like
+  bool code = false;        ///< to be shown letter by letter
 };
 
+/// A parameter of the run.
 struct Parameter {
-  std::string section, name, value, unit, meaning;
+  std::string section, name, value, unit, meaning;  ///< as in a run file and the table of fields
   std::string usual{};  ///< the default with its unit, where the value differs from it
 };
 
 /// A file beside the report.
 struct File {
-  std::string name, meaning;
+  std::string name, meaning;  ///< relative to the page; what it holds
 };
 
 /// A page in the making. What is added before the first `section` is its opening: the answer.
 struct Report {
-  std::string title{}, lead{};
-  std::string program{};  ///< what wrote it, above the title
-  std::string stopped{};  ///< why the run ended early; empty if it did not
+  std::string title{}, lead{};  ///< the heading, and the sentence below it
+  std::string program{};        ///< what wrote it, above the title
+  std::string stopped{};        ///< why the run ended early; empty if it did not
 
   /// A part of the page under its heading.
   struct Section {
-    std::string heading, content;
+    std::string heading, content;  ///< words; HTML
   };
-  std::vector<Section> sections = std::vector<Section>(1);
+  std::vector<Section> sections = std::vector<Section>(1);  ///< the opening first
 
+  /// Begins a section; what follows belongs to it.
   void section(const std::string& heading) { sections.push_back({heading, ""}); }
 
+  /// A paragraph.
   void text(std::string_view words) { add("<p>" + drawing::html_words(words) + "</p>\n"); }
 
+  /// Large, beside each other.
   void numbers(const std::vector<KeyNumber>& numbers) {
     std::string out = "<dl class=\"numbers\">\n";
     for (const KeyNumber& n : numbers)
@@ -107,6 +112,7 @@ struct Report {
     figure(Figure{p.title, caption(p), svg(p, Medium::page), svg(p, Medium::phone)});
   }
 
+  /// A table, under its caption.
   void table(const Table& t) {
     std::string out = "<table>\n";
     if (!t.caption.empty()) out += "<caption>" + drawing::html_words(t.caption) + "</caption>\n";
@@ -122,6 +128,7 @@ struct Report {
                   out + "</tbody>\n</table>\n");
   }
 
+  /// A list of names and values.
   void facts(const std::vector<Fact>& facts) {
     std::string out = "<dl class=\"facts\">\n";
     for (const Fact& f : facts)
@@ -156,6 +163,7 @@ struct Report {
     add_scrolling("parameters", out + (section.empty() ? "" : "</tbody>\n") + "</table>\n");
   }
 
+  /// A list of links.
   void files(const std::vector<File>& files) {
     std::string out = "<dl class=\"facts\">\n";
     for (const File& f : files)

@@ -16,22 +16,22 @@ namespace hfdem::observe {
 
 /// A straight piece of crack; lengths in m.
 struct CrackSegment {
-  double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;
-  double aperture = 0.0;
+  double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;  ///< its ends
+  double aperture = 0.0;                          ///< w
 };
 
 /// Lengths in m, y up, the lower left corner of the box at (0, 0).
 struct SpecimenPicture {
-  std::vector<double> x{}, y{}, radius{};   ///< of the discs
-  double width = 1.0, height = 1.0;         ///< of the box
-  std::vector<CrackSegment> main_crack{};   ///< filled by the injection
-  std::vector<CrackSegment> unconnected{};  ///< bonds broken elsewhere
-  double injection_x = 0.0, injection_y = 0.0;
+  std::vector<double> x{}, y{}, radius{};       ///< of the discs
+  double width = 1.0, height = 1.0;             ///< of the box
+  std::vector<CrackSegment> main_crack{};       ///< filled by the injection
+  std::vector<CrackSegment> unconnected{};      ///< bonds broken elsewhere
+  double injection_x = 0.0, injection_y = 0.0;  ///< where the fluid enters
   double stress_x = 0.0, stress_y = 0.0;  ///< on the walls in Pa, compression positive; 0: none
-  bool platens = true;
-  std::string title{};
-  std::string caption{};     ///< what to see
-  std::string conditions{};  ///< with which parameters
+  bool platens = true;                    ///< whether they are drawn
+  std::string title{};                    ///< above the picture
+  std::string caption{};                  ///< what to see
+  std::string conditions{};               ///< with which parameters
 };
 
 namespace drawing {

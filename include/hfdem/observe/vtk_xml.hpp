@@ -112,6 +112,7 @@ class VtkPolyData {
   void show_points() { points_are_vertices_ = true; }
 
   /// An array on the points: one row for each.
+  /// @param name of the array
   /// @param row gives `reals(...)`, or an array of whole numbers, for an index
   template <class Row>
   void add_to_points(std::string_view name, Row&& row) {

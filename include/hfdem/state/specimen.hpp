@@ -55,6 +55,9 @@ struct Specimen {
   double bonding_gap = 0;
   /// Known neighbours, for the search `FixedPairs`; other searches do not need them.
   std::vector<Pair> pairs{};
+  /// The number that each disc had before the specimen was renumbered, for outputs; empty if it was
+  /// not.
+  std::vector<Index> input_index{};
 
   std::size_t size() const { return centre.size(); }  ///< number of discs
 

@@ -1,0 +1,123 @@
+"""The program toughness, and kgd with what it measured.
+
+    python3 tests/programs/toughness_test.py build/release/examples/toughness build/release/examples/kgd
+"""
+
+import csv
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+TOUGHNESS, KGD = sys.argv.pop(1), sys.argv.pop(1)
+SHIPPED = pathlib.Path(__file__).resolve().parents[2] / "examples/data/toughness.toml"
+
+
+class ToughnessTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.slits = cls.run_program(TOUGHNESS, "--quick", out="slits")
+
+    @classmethod
+    def path(cls, name):
+        return pathlib.Path(cls.folder.name) / name
+
+    @classmethod
+    def run_program(cls, program, *options, out):
+        return subprocess.run([program, "--out", str(cls.path(out)), *options], text=True,
+                              capture_output=True)
+
+    def summary(self, out):
+        return json.loads((self.path(out) / "summary.json").read_text())
+
+    def refused(self, program, *options, words):
+        done = self.run_program(program, *options, out="refused")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def changed_file(self, pattern, replacement):
+        text, count = re.subn(pattern, replacement, SHIPPED.read_text(), flags=re.M)
+        self.assertEqual(count, 1)
+        file = self.path("changed.toml")
+        file.write_text(text)
+        return str(file)
+
+    def test_it_writes_its_answer(self):
+        self.assertEqual(self.slits.returncode, 0, self.slits.stderr)
+        summary = self.summary("slits")
+        # The closed form of the infinite orthotropic plane: E' = 2 E / sqrt(2 + 2 rho), rho = 2.5.
+        self.assertAlmostEqual(summary["E_prime_over_E"], 2 / 7 ** 0.5, delta=0.01)
+        self.assertEqual(len(summary["slits"]), 3)
+        page = (self.path("slits") / "report.html").read_text()
+        self.assertIn("is not one number", page)
+        with open(self.path("slits") / "slits.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(sum(float(row["breaks"]) for row in rows), 3)
+        for figure in ("toughness.svg", "opening.svg"):
+            self.assertIn("<svg", (self.path("slits") / figure).read_text())
+
+    def test_its_file_repeats_its_summary(self):
+        summary = self.summary("slits")
+        file = tomllib.loads((self.path("slits") / "toughness.toml").read_text())
+        self.assertAlmostEqual(file["toughness"]["E_prime"] / summary["E_prime_Pa"], 1, places=9)
+        self.assertEqual(file["specimen"]["columns"], 40)
+
+    def test_the_shipped_file_is_of_the_default_lattice(self):
+        file = tomllib.loads(SHIPPED.read_text())
+        self.assertEqual(file["specimen"]["columns"], 100)
+        self.assertAlmostEqual(file["toughness"]["E_prime"], 25.70e9, delta=0.01 * 25.70e9)
+        self.assertAlmostEqual(file["toughness"]["K_IC"], 1.564e6, delta=0.03 * 1.564e6)
+        self.assertAlmostEqual(file["toughness"]["K_IC_per_pressure"], 0.0588, delta=0.03 * 0.0588)
+
+    def test_kgd_stands_beside_what_the_slits_predict(self):
+        done = self.run_program(KGD, "--quick", "--toughness", str(SHIPPED), "--set",
+                                "scheme.equilibrium=true", out="predicted")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("predicted from slits", done.stdout)
+        toughness = self.summary("predicted")["toughness"]
+        self.assertTrue(toughness["same_lattice"])
+        self.assertEqual(toughness["regime"], "storage-toughness")
+        # K_m = (K'^4 / (mu' E'^3 Q))^(1/4)
+        K_prime = 4 * (2 / 3.141592653589793) ** 0.5 * toughness["K_IC_Pa_sqrt_m"]
+        K_m = (K_prime ** 4 / (12 * 6e-5 * toughness["E_prime_Pa"] ** 3 * 0.5e-4)) ** 0.25
+        self.assertAlmostEqual(toughness["K_m"] / K_m, 1, places=6)
+        self.assertEqual(toughness["tau"], 0)
+        predicted = toughness["in_specimen"]
+        self.assertLess(abs(predicted["full_length_m"]["relative_difference"]), 0.03)
+        self.assertLess(abs(predicted["opening_at_injection_m"]["relative_difference"]), 0.03)
+        page = (self.path("predicted") / "report.html").read_text()
+        self.assertIn("Prediction from measured toughness", page)
+        self.assertNotIn("Beware", page)
+        self.assertIn("predicted from slits", (self.path("predicted") / "length.svg").read_text())
+
+    def test_kgd_says_that_the_slits_were_of_another_lattice(self):
+        done = self.run_program(KGD, "--quick", "--toughness", str(SHIPPED), "--set",
+                                "contact.tensile_strength=9e6", out="other")
+        self.assertIn("contact.tensile_strength is 9e+06, and was 8e+06 for the slits", done.stdout)
+        self.assertFalse(self.summary("other")["toughness"]["same_lattice"])
+        self.assertIn("Beware", (self.path("other") / "report.html").read_text())
+
+    def test_files_that_are_no_toughness_files_are_refused(self):
+        self.refused(KGD, "--quick", "--toughness", str(self.path("nowhere.toml")), words=["nowhere"])
+        self.refused(KGD, "--quick", "--toughness", self.changed_file(r"^E_prime.*\n", ""),
+                     words=["no whole toughness file", "E_prime"])
+        self.refused(KGD, "--quick", "--toughness", self.changed_file(r"^K_IC = ", "K_1C = "),
+                     words=["line 6", "K_1C"])
+        self.refused(KGD, "--quick", "--toughness", self.changed_file(r"^K_IC = \S+", "K_IC = -1"),
+                     words=["toughness", "K_IC", "-1"])
+
+    def test_slits_that_cannot_be_are_refused(self):
+        self.refused(TOUGHNESS, "--set", "slits.count=40", words=["slits.count", "at most 16"])
+        self.refused(TOUGHNESS, "--set", "slits.longest=4", words=["slits.longest"])
+        self.refused(TOUGHNESS, "--set", "slits.longest=120", words=["slits.longest", "at most 90"])
+
+
+if __name__ == "__main__":
+    unittest.main()
