@@ -12,25 +12,17 @@
 #include <hfdem/simulator.hpp>
 
 #include "support/run_options.hpp"
+#include "support/settings.hpp"
 
 namespace hfdem::support {
 
 using Kgd = Simulator<LinearParallelBond, HyperbolicAperture, UniformPressure, FixedPairs>;
 
 /// The parameter file's sections.
-struct KgdConfig {
+struct KgdConfig : SectionTree<KgdConfig> {
   SquareArray specimen;
   Kgd::Params simulator;
   RunOptions run;
-
-  template <class F>
-  void for_each_section(F&& f) {
-    visit(*this, f);
-  }
-  template <class F>
-  void for_each_section(F&& f) const {
-    visit(*this, f);
-  }
 
   /// A 40 x 40 array, until its crack is as long for its size as the default one's.
   static KgdConfig quick() {
@@ -40,7 +32,6 @@ struct KgdConfig {
     return config;
   }
 
- private:
   template <class Self, class F>
   static void visit(Self& self, F& f) {
     f("specimen", self.specimen);

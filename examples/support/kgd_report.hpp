@@ -88,11 +88,6 @@ class KgdReport {
     return observe::fixed(v * 1e6, 2, "mL") + " per metre of thickness";
   }
 
-  static std::string difference(double ours, double reference) {
-    const double percent = 100 * (ours / reference - 1);
-    return (percent > 0 ? "+" : "") + observe::fixed(percent, 1, "%");
-  }
-
   void add_answer(const Kgd& sim, const KgdOutcome& o) {
     using paper::Verification;
     const bool paper = at_paper_time(config_, sim.time());

@@ -10,6 +10,7 @@
 #include <hfdem/observe/report.hpp>
 
 #include "support/prediction.hpp"
+#include "support/run_report.hpp"
 #include "support/summary.hpp"
 
 namespace hfdem::support {
@@ -122,11 +123,6 @@ class PredictionResults {
   }
 
   Crack in_plane() const { return {plane_.full_length(), plane_.width, plane_.net_pressure}; }
-
-  static std::string difference(double ours, double reference) {
-    const double percent = 100 * (ours / reference - 1);
-    return (percent > 0 ? "+" : "") + observe::fixed(percent, 1, "%");
-  }
 
   void compare(Summary& s, const std::string& path, const Crack& reference) const {
     s.compare(path + "/full_length_m", run_.full_length, reference.full_length);

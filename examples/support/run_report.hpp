@@ -140,6 +140,12 @@ std::vector<observe::Parameter> listed(const Tree& tree, const Tree& defaults) {
   return parameters;
 }
 
+/// How far ours is from a reference, as a reader expects it: "+2.6 %".
+inline std::string difference(double ours, double reference) {
+  const double percent = 100 * (ours / reference - 1);
+  return (percent > 0 ? "+" : "") + observe::fixed(percent, 1, "%");
+}
+
 /// How a run went, beyond what the simulator itself remembers.
 struct RunRecord {
   std::string stopped;   ///< why it ended before its time; empty if it did not

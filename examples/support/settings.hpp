@@ -95,6 +95,20 @@ std::string toml_value(const T& value) {
 
 }  // namespace detail
 
+/// A tree of sections: a program's parameter file. Derive, and list the sections in a static
+/// `visit(self, f)` that calls `f(name, section)` for each.
+template <class Tree>
+struct SectionTree {
+  template <class F>
+  void for_each_section(F&& f) {
+    Tree::visit(static_cast<Tree&>(*this), f);
+  }
+  template <class F>
+  void for_each_section(F&& f) const {
+    Tree::visit(static_cast<const Tree&>(*this), f);
+  }
+};
+
 /// Applies one setting to a tree of sections.
 /// @throws InvalidParameter if no such section or key exists (naming those that do), or the value
 ///   has the wrong type

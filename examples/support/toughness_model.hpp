@@ -17,23 +17,13 @@ namespace hfdem::support {
 using LatticeSlit = measure::Slit<LinearParallelBond, HyperbolicAperture, FixedPairs>;
 
 /// The sections that shape a toughness; a run and the slits that explain it should share them.
-struct Lattice {
+struct Lattice : SectionTree<Lattice> {
   SquareArray specimen;
   LinearParallelBond::Params contact;
   HyperbolicAperture::Params aperture;
   Loading::Params boundary;
   Stress in_situ;
 
-  template <class F>
-  void for_each_section(F&& f) {
-    visit(*this, f);
-  }
-  template <class F>
-  void for_each_section(F&& f) const {
-    visit(*this, f);
-  }
-
- private:
   template <class Self, class F>
   static void visit(Self& self, F& f) {
     f("specimen", self.specimen);
@@ -45,20 +35,11 @@ struct Lattice {
 };
 
 /// The parameter file's sections.
-struct ToughnessConfig {
+struct ToughnessConfig : SectionTree<ToughnessConfig> {
   Lattice lattice;
   Mechanics mechanics;
   HeldPressure::Params scheme{.unbalanced_tolerance = 3e-7, .max_mechanical_steps = 100000};
   measure::SlitSeries slits;
-
-  template <class F>
-  void for_each_section(F&& f) {
-    visit(*this, f);
-  }
-  template <class F>
-  void for_each_section(F&& f) const {
-    visit(*this, f);
-  }
 
   /// Short slits in a 40 x 40 array.
   static ToughnessConfig quick() {
@@ -69,7 +50,6 @@ struct ToughnessConfig {
     return config;
   }
 
- private:
   template <class Self, class F>
   static void visit(Self& self, F& f) {
     self.lattice.for_each_section(f);
@@ -80,19 +60,14 @@ struct ToughnessConfig {
 };
 
 /// What a toughness file holds: the numbers, and the lattice that they belong to.
-struct MeasuredToughness {
+struct MeasuredToughness : SectionTree<MeasuredToughness> {
   analytic::LatticeFracture toughness;
   Lattice lattice;
 
-  template <class F>
-  void for_each_section(F&& f) {
-    f("toughness", toughness);
-    lattice.for_each_section(f);
-  }
-  template <class F>
-  void for_each_section(F&& f) const {
-    f("toughness", toughness);
-    lattice.for_each_section(f);
+  template <class Self, class F>
+  static void visit(Self& self, F& f) {
+    f("toughness", self.toughness);
+    self.lattice.for_each_section(f);
   }
 };
 

@@ -26,7 +26,7 @@ class ToughnessResults {
 
   /// @throws OutputFailed if a file cannot be written
   void write(const OutputFolder& folder) const {
-    folder.write("toughness.toml", to_toml(MeasuredToughness{test_.rock, config_.lattice}));
+    folder.write("toughness.toml", to_toml(MeasuredToughness{{}, test_.rock, config_.lattice}));
     std::ofstream slits = folder.open("slits.csv");
     slits << "contacts,full_length_m,net_pressure_Pa,opening_m,volume_m2,breaks\n";
     for (const auto& [slit, E_prime, K_IC] : test_.readings)
