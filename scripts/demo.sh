@@ -20,5 +20,5 @@ cmake --preset release -DHFDEM_TESTS=OFF -DHFDEM_BENCHMARKS=OFF >build.log 2>&1 
 rm build.log
 
 echo "A crack driven by uniform pressure through 10,000 bonded discs (some seconds) ..."
-build/release/examples/kgd --out "$out"
+build/release/examples/kgd --out "$out" --toughness examples/data/toughness.toml
 echo "As an address: file://$(realpath "$out")/report.html"

@@ -157,14 +157,16 @@ class KgdFigures {
 
   template <class F>
   observe::Series series(const std::string& name, F&& value) const {
-    observe::Series s{.name = name};
+    observe::Series s{.name = name, .colour = observe::okabe_ito::blue};
     for (const auto& i : history_) s.x.push_back(i.time), s.y.push_back(value(i));
     return s;
   }
 
   template <class F>
   observe::Series kgd(F&& value) const {
-    observe::Series s{.name = "KGD, infinite plane", .style = observe::Series::Style::dashed};
+    observe::Series s{.name = "KGD, infinite plane",
+                      .style = observe::Series::Style::dashed,
+                      .colour = observe::okabe_ito::orange};
     constexpr int points = 300;
     const double end = end_time();
     for (int k = 1; k <= points; ++k) {
@@ -178,7 +180,9 @@ class KgdFigures {
   template <class F>
   void add_predicted(observe::Chart& chart, F&& value) const {
     if (prediction_ == nullptr) return;
-    observe::Series s{.name = "predicted from slits", .style = observe::Series::Style::dotted};
+    observe::Series s{.name = "predicted from slits",
+                      .style = observe::Series::Style::dotted,
+                      .colour = observe::okabe_ito::vermillion};
     constexpr int points = 2000;
     for (int k = 1; k <= points; ++k) {
       const auto state = prediction_->in_specimen(end_time() * k / points);
@@ -186,7 +190,7 @@ class KgdFigures {
       s.x.push_back(end_time() * k / points);
       s.y.push_back(value(*state));
     }
-    chart.series.push_back(std::move(s));
+    chart.series.insert(chart.series.begin(), std::move(s));
     chart.caption +=
         " Predicted from slits: stepwise growth in this specimen, nothing fitted to "
         "a run.";
