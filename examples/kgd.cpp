@@ -22,9 +22,15 @@ using namespace hfdem::support;
 
 namespace {
 
+void say_where(const CommandLine& options) {
+  if (!options.quiet) std::printf("Open this in a browser: %s/report.html\n", options.out.c_str());
+}
+
 int run(const CommandLine& options, const KgdConfig& config, const Manifest& manifest,
         const std::optional<MeasuredToughness>& toughness) {
   const OutputFolder folder(options.out);
+  folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.svg",
+                  "length.svg", "aperture.svg", "pressure.svg"});
   folder.write("config.toml", to_toml(config));
   KgdResults results(folder, config, manifest, toughness);
   std::optional<Kgd> sim;
@@ -36,12 +42,13 @@ int run(const CommandLine& options, const KgdConfig& config, const Manifest& man
   } catch (const RunStopped& reason) {
     sim ? results.finish(*sim, reason.what()) : results.finish_unbegun(reason.what());
     std::fprintf(stderr, "kgd: the run stopped: %s\n", reason.what());
+    if (!options.quiet) std::printf("%s", results.text().c_str());
+    say_where(options);
     return run_stopped;
   }
   results.finish(*sim, {});
-  if (!options.quiet)
-    std::printf("%sOpen this in a browser: %s\n", results.text().c_str(),
-                (options.out + "/report.html").c_str());
+  if (!options.quiet) std::printf("%s", results.text().c_str());
+  say_where(options);
   return success;
 }
 
@@ -52,9 +59,10 @@ int main(int argc, char** argv) {
   CommandLine options;
   options.add_to(app);
   std::string toughness;
-  app.add_option("--toughness", toughness,
-                 "what slits measured (toughness.toml of the program "
-                 "toughness), to predict the run with");
+  app.add_option(
+         "--toughness", toughness,
+         "what slits measured (toughness.toml of the program toughness), to predict the run")
+      ->check(CLI::ExistingFile);
   return guarded("kgd", app, [&] {
     app.parse(argc, argv);
     let_waiting_threads_sleep(options.threads, argv);

@@ -27,6 +27,9 @@ namespace {
 std::vector<measure::SlitTest> test_slits(const ToughnessConfig& config, int threads, bool quiet) {
   const Lattice& lattice = config.lattice;
   const double closing = std::fmin(lattice.in_situ.xx, lattice.in_situ.yy);
+  if (lattice.in_situ.xx == 0 && lattice.in_situ.yy == 0)
+    refuse("in_situ", "xx", "0 Pa, and in_situ.yy too,",
+           "greater than 0: equilibrium is judged by the forces that the in-situ stress makes");
   const std::vector<int> lengths = config.slits.contacts();
   const bool upright = crack_direction(lattice.in_situ).y != 0;
   const int most = (upright ? lattice.specimen.rows : lattice.specimen.columns) * 9 / 10;
@@ -59,14 +62,17 @@ std::vector<measure::SlitTest> test_slits(const ToughnessConfig& config, int thr
 
 int run(const CommandLine& options, const ToughnessConfig& config, const Manifest& manifest) {
   const OutputFolder folder(options.out);
+  folder.discard({"report.html", "summary.json", "toughness.toml", "slits.csv", "toughness.svg",
+                  "opening.svg"});
   folder.write("config.toml", to_toml(config));
   try {
     const Stopwatch watch;
-    const auto slits = test_slits(config, options.threads, options.quiet);
     const Lattice& l = config.lattice;
     const analytic::LatticeFracture rock = square_lattice(l);
+    const analytic::CrackedPlate plate = plate_of(l.specimen, l.boundary, l.in_situ, rock);
     const auto test =
-        measure::toughness_test(slits, plate_of(l.specimen, l.boundary, l.in_situ, rock), rock);
+        measure::toughness_test(test_slits(config, options.threads, options.quiet), plate, rock);
+    validate(test.rock, "toughness");
     const ToughnessResults results(config, test, manifest, watch.seconds());
     results.write(folder);
     if (!options.quiet)

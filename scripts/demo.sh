@@ -11,9 +11,9 @@ out=${1:-out/kgd}
 # shellcheck disable=SC2086  # a list of words
 scripts/install_packages.sh $programs
 
-echo "Building (about a minute) ..."
+echo "Building (about two minutes) ..."
 cmake --preset release -DHFDEM_TESTS=OFF -DHFDEM_BENCHMARKS=OFF >build.log 2>&1 &&
-  cmake --build --preset release --target kgd >>build.log 2>&1 || {
+  cmake --build --preset release --target kgd kgd_reference toughness >>build.log 2>&1 || {
   cat build.log >&2
   exit 1
 }

@@ -36,13 +36,6 @@ inline analytic::KgdFracture paper_kgd(const KgdConfig& c, double time) {
                                     c.simulator.injection.rate, time);
 }
 
-/// The KGD fracture to stand beside a run: with measured toughness if there is some, otherwise the
-/// paper's.
-inline analytic::KgdFracture kgd_reference(const KgdConfig& c, const Prediction* prediction,
-                                           double time) {
-  return prediction != nullptr && time > 0 ? prediction->in_plane(time) : paper_kgd(c, time);
-}
-
 /// Whether a run is of the paper's model; its rule and its mechanics are free.
 inline bool is_paper_model(KgdConfig config) {
   const KgdConfig paper;
@@ -77,7 +70,7 @@ class KgdFigures {
                          .x_range = from_zero()};
     const double w0 = config_.simulator.aperture.w0;
     chart.series = {series("hfdem", [](const auto& i) { return i.crack.aperture * 1e6; }),
-                    kgd([](const analytic::KgdFracture& k) { return k.width * 1e6; })};
+                    kgd(&analytic::LatticeCrack::opening, 1e6)};
     add_predicted(chart, [w0](const auto& state) { return (state.opening + w0) * 1e6; });
     add_paper(chart, paper::Verification::aperture * 1e6);
     return chart;
@@ -95,7 +88,7 @@ class KgdFigures {
                          .conditions = described(config_),
                          .x_range = from_zero()};
     chart.series = {series("hfdem", [](const auto& i) { return i.crack.full_length(); }),
-                    kgd([](const analytic::KgdFracture& k) { return k.full_length(); })};
+                    kgd(&analytic::LatticeCrack::full_length, 1)};
     add_predicted(chart, [](const auto& state) { return state.full_length; });
     add_paper(chart, paper::Verification::full_length);
     return chart;
@@ -162,16 +155,21 @@ class KgdFigures {
     return s;
   }
 
-  template <class F>
-  observe::Series kgd(F&& value) const {
+  /// With measured toughness if there is some, otherwise with the paper's.
+  observe::Series kgd(double analytic::LatticeCrack::*value, double factor) const {
     observe::Series s{.name = "KGD, infinite plane",
                       .style = observe::Series::Style::dashed,
                       .colour = observe::okabe_ito::orange};
     constexpr int points = 300;
-    const double end = end_time();
     for (int k = 1; k <= points; ++k) {
-      s.x.push_back(end * k / points);
-      s.y.push_back(value(kgd_reference(config_, prediction_, s.x.back())));
+      const double time = end_time() * k / points;
+      const auto paper = paper_kgd(config_, time);
+      const auto crack =
+          prediction_ != nullptr
+              ? prediction_->in_plane(time)
+              : analytic::LatticeCrack{paper.full_length(), paper.width, paper.net_pressure};
+      s.x.push_back(time);
+      s.y.push_back(crack ? factor * (*crack).*value : NAN);
     }
     return s;
   }

@@ -51,7 +51,7 @@ inline void describe(Summary& json, const analytic::KgdProblem& p, const PlateOp
   const analytic::PlateGrowth growth(specimen.plate, {.K_IC = p.K_IC});
   const bool split = p.volume() > growth.volume_at_splitting();
   const auto crack = split ? analytic::PlateGrowth::State{NAN, NAN, NAN} : growth.at(p.volume());
-  json.set("plate/assumes", "K_I = K_IC, no viscosity, no leak-off");
+  json.set("plate/assumes", "isotropic rock, K_I = K_IC, no viscosity, no leak-off");
   json.set("plate/width_m", specimen.plate.width());
   json.set("plate/sides", specimen.sides);
   json.set("plate/split", split);

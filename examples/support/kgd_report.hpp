@@ -93,21 +93,24 @@ class KgdReport {
     const bool paper = at_paper_time(config_, sim.time());
     const double net = sim.injection_pressure() - o.far_field;
     // What slits predict, if they were tested, is the better reference.
-    const auto slits = o.predicted ? o.predicted->in_specimen() : std::nullopt;
-    const std::string name = slits ? "predicted " : "KGD ";
+    std::string name = "KGD, the paper's K_{IC}: ";
+    double length = o.kgd.full_length(), aperture = o.kgd.width, pressure = o.kgd.net_pressure;
+    if (o.predicted && o.predicted->in_specimen()) {
+      const analytic::LatticeCrack& slits = *o.predicted->in_specimen();
+      name = "predicted ";
+      length = slits.full_length;
+      aperture = slits.opening + config_.simulator.aperture.w0;
+      pressure = slits.net_pressure;
+    }
     const auto beside = [&](const std::string& published, const std::string& reference) {
       return (paper ? "paper " + published + "\n" : "") + name + reference;
     };
-    const double w0 = config_.simulator.aperture.w0;
     page_.numbers({{"crack length", metres(o.shape.full_length()),
-                    beside(metres(Verification::full_length),
-                           metres(slits ? slits->full_length : o.kgd.full_length()))},
+                    beside(metres(Verification::full_length), metres(length))},
                    {"aperture at the injection", micrometres(o.shape.aperture),
-                    beside(micrometres(Verification::aperture),
-                           micrometres(slits ? slits->opening + w0 : o.kgd.width))},
+                    beside(micrometres(Verification::aperture), micrometres(aperture))},
                    {"injection pressure", megapascals(sim.injection_pressure()),
-                    "net " + megapascals(net) + "\n" + name + "net " +
-                        megapascals(slits ? slits->net_pressure : o.kgd.net_pressure)},
+                    "net " + megapascals(net) + "\n" + name + "net " + megapascals(pressure)},
                    {"injection time", observe::fixed(sim.time(), 3, "s"),
                     "of " + said(config_.run.end_time, "s").both()}});
   }
@@ -117,7 +120,7 @@ class KgdReport {
     const bool paper = at_paper_time(config_, sim.time());
     page_.section("Comparison");
     observe::Table table;
-    table.header = {"", "hfdem", "KGD", "difference"};
+    table.header = {"", "hfdem", "KGD, the paper's K_{IC}", "difference"};
     if (paper) table.header.insert(table.header.begin() + 2, {"paper", "difference"});
     const auto row = [&](const std::string& name, double ours, double kgd, double published,
                          auto&& words) {

@@ -37,8 +37,12 @@ class KgdResults {
   /// Call once the specimen has settled.
   void begin(const Kgd& sim) {
     moduli_ = moduli(sim);
-    if (measured_)
-      prediction_.emplace(*measured_, config_, static_cast<int>(sim.preset_contacts().size()));
+    try {
+      if (measured_)
+        prediction_.emplace(*measured_, config_, static_cast<int>(sim.preset_contacts().size()));
+    } catch (const InvalidParameter& e) {
+      no_prediction_ = e.what();  // no reason not to run
+    }
     paraview_.write(sim);
     watch_ = Stopwatch();
   }
@@ -77,6 +81,7 @@ class KgdResults {
     folder_.write("report.html", KgdReport(config_, manifest_).html(sim, outcome, figures));
     text_ = describe(sim, outcome);
     if (outcome.predicted) text_ += outcome.predicted->text();
+    if (!no_prediction_.empty()) text_ += "no prediction from slits: " + no_prediction_ + "\n";
   }
 
   /// @param reason why the specimen could not even settle
@@ -153,24 +158,30 @@ class KgdResults {
     s.set("kgd/full_length_printed_in_paper_m", paper::Verification::kgd_full_length);
     s.set("kgd/aperture_printed_in_paper_m", paper::Verification::kgd_aperture);
     if (predicted) predicted->summarise(s);
+    if (!no_prediction_.empty()) s.set("toughness/no_prediction", no_prediction_);
     return s;
   }
 
-  static std::string describe(const Kgd& sim, const KgdOutcome& outcome) {
+  std::string describe(const Kgd& sim, const KgdOutcome& outcome) const {
     const auto& [shape, kgd, far_field, peak_pressure, moduli, run, predicted] = outcome;
+    const double net = sim.injection_pressure() - far_field;
     char text[800];
     std::snprintf(text, sizeof text,
-                  "t = %.3g s            hfdem     paper, t = 0.9 s   KGD, infinite plane\n"
-                  "crack length     %9.3f m   %9.3f m         %9.3f m\n"
-                  "aperture         %9.1f um  %9.1f um        %9.1f um   (w - w0: %.1f um)\n"
+                  "t = %.3g s            hfdem      KGD, the paper's K_IC\n"
+                  "crack length     %9.3f m   %9.3f m\n"
+                  "aperture         %9.1f um  %9.1f um   (w - w0: %.1f um)\n"
                   "injection        %9.2f MPa, %.2f MPa above the stress across the crack\n"
                   "%ld fluid steps, %ld mechanical steps, %.1f s\n",
-                  sim.time(), shape.full_length(), paper::Verification::full_length,
-                  kgd.full_length(), shape.aperture * 1e6, paper::Verification::aperture * 1e6,
-                  kgd.width * 1e6, shape.opening * 1e6, sim.injection_pressure() / 1e6,
-                  (sim.injection_pressure() - far_field) / 1e6, sim.fluid_steps(),
-                  sim.mechanical_steps(), run.wall);
-    return text;
+                  sim.time(), shape.full_length(), kgd.full_length(), shape.aperture * 1e6,
+                  kgd.width * 1e6, shape.opening * 1e6, sim.injection_pressure() / 1e6, net / 1e6,
+                  sim.fluid_steps(), sim.mechanical_steps(), run.wall);
+    std::string lines = text;
+    if (at_paper_time(config_, sim.time())) {
+      std::snprintf(text, sizeof text, "the paper        %9.3f m, %.1f um\n",
+                    paper::Verification::full_length, paper::Verification::aperture * 1e6);
+      lines += text;
+    }
+    return lines;
   }
 
   const OutputFolder& folder_;
@@ -178,6 +189,7 @@ class KgdResults {
   const Manifest& manifest_;
   std::optional<MeasuredToughness> measured_;
   std::optional<Prediction> prediction_;
+  std::string no_prediction_;
   double far_field_;
   std::ofstream history_file_;
   observe::History history_;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string>
 
 #include <hfdem/observe/whole_file.hpp>
@@ -28,9 +29,14 @@ class OutputFolder {
 
   /// Writes a whole file. @throws OutputFailed if that does not succeed
   void write(const std::string& name, const std::string& content) const {
-    std::ofstream file = open(name);
-    file << content;
-    close(file, name);
+    observe::write_whole_file(path_ / name, content);
+  }
+
+  /// Removes what an earlier run left and this one writes at its end: if it does not come to that,
+  /// the old answer must not stand beside the new parameters.
+  void discard(std::initializer_list<const char*> names) const {
+    std::error_code ignored;
+    for (const char* name : names) std::filesystem::remove(path_ / name, ignored);
   }
 
   /// @throws OutputFailed if anything written to the file was lost

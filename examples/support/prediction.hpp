@@ -49,26 +49,24 @@ class Prediction {
   const std::vector<std::string>& differences() const { return differences_; }
 
   /// In the specimen, step by step; nothing once it has split.
-  std::optional<analytic::StepwiseGrowth::State> in_specimen(double time) const {
+  std::optional<analytic::LatticeCrack> in_specimen(double time) const {
     return growth_.at(rate_ * time);
   }
 
-  /// In an infinite plane, toughness alone, with the K_IC of its own net pressure.
-  analytic::KgdFracture in_plane(double time) const {
-    return analytic::storage_toughness(problem(time));
+  /// In an infinite plane, toughness alone; nothing while it is too short to grow steadily.
+  std::optional<analytic::LatticeCrack> in_plane(double time) const {
+    return analytic::crack_in_plane(rock_, rate_ * time);
   }
 
-  /// The run in the terms of the map of regimes.
+  /// The run in the terms of the map of regimes, with the toughness at the net pressure of the
+  /// infinite plane.
   analytic::KgdProblem problem(double time) const {
-    analytic::KgdProblem p{.E_prime = rock_.E_prime,
-                           .K_IC = rock_.K_IC,
-                           .viscosity = viscosity_,
-                           .rate = rate_,
-                           .time = time};
-    // The toughness is that of the net pressure that it makes itself: a contraction.
-    for (int round = 0; round < 60; ++round)
-      p.K_IC = rock_.toughness(analytic::storage_toughness(p).net_pressure);
-    return p;
+    const auto crack = in_plane(time);
+    return {.E_prime = rock_.E_prime,
+            .K_IC = rock_.toughness(crack ? crack->net_pressure : 0),
+            .viscosity = viscosity_,
+            .rate = rate_,
+            .time = time};
   }
 
  private:
@@ -84,6 +82,11 @@ class Prediction {
         if (other == name && here != there)
           differences_.push_back(name + " is " + here + ", and was " + there + " for the slits");
     }
+    const double diameter = 2 * config.specimen.radius;
+    const Vec2 middle{diameter * config.specimen.columns / 2, diameter * config.specimen.rows / 2};
+    if (norm(config.simulator.injection.position.value_or(middle) - middle) > diameter)
+      differences_.push_back(
+          "injection.position is not the middle of the specimen, for which the prediction holds");
   }
 
   analytic::LatticeFracture rock_;

@@ -18,9 +18,7 @@ namespace hfdem::support {
 /// A run and its predictions at one time.
 class PredictionResults {
  public:
-  struct Crack {
-    double full_length, opening, net_pressure;  ///< m, m, Pa
-  };
+  using Crack = analytic::LatticeCrack;
 
   PredictionResults(const Prediction& prediction, double time, const Crack& run)
       : prediction_(prediction),
@@ -30,10 +28,7 @@ class PredictionResults {
         problem_(prediction.problem(time)) {}
 
   /// Step by step in the specimen; nothing once it has split.
-  std::optional<Crack> in_specimen() const {
-    if (!specimen_) return {};
-    return Crack{specimen_->full_length, specimen_->opening, specimen_->net_pressure};
-  }
+  const std::optional<Crack>& in_specimen() const { return specimen_; }
 
   void summarise(Summary& s) const {
     s.set("toughness/E_prime_Pa", problem_.E_prime);
@@ -43,8 +38,8 @@ class PredictionResults {
     s.set("toughness/regime", regime());
     s.set("toughness/same_lattice", prediction_.differences().empty());
     s.set("toughness/specimen_split", !specimen_);
-    if (specimen_) compare(s, "toughness/in_specimen", *in_specimen());
-    compare(s, "toughness/in_infinite_plane", in_plane());
+    if (specimen_) compare(s, "toughness/in_specimen", *specimen_);
+    if (plane_) compare(s, "toughness/in_infinite_plane", *plane_);
   }
 
   /// Some lines for a terminal.
@@ -63,10 +58,13 @@ class PredictionResults {
     };
     line("this run", run_);
     if (specimen_)
-      line("predicted from slits", *in_specimen());
+      line("predicted from slits", *specimen_);
     else
       lines += "predicted from slits     the specimen has split\n";
-    line("KGD, infinite plane", in_plane());
+    if (plane_)
+      line("KGD with these numbers", *plane_);
+    else
+      lines += "KGD with these numbers   too short to grow steadily\n";
     for (const std::string& d : prediction_.differences()) lines += "beware: " + d + "\n";
     return lines;
   }
@@ -91,11 +89,15 @@ class PredictionResults {
                                     "in an infinite plane", "difference"}};
     const auto row = [&](const std::string& name, double Crack::*value, double unit, int decimals,
                          std::string_view words) {
-      const double ours = run_.*value, plane = in_plane().*value;
-      const double specimen = specimen_ ? (*in_specimen()).*value : NAN;
-      const auto said = [&](double v) { return fixed(v / unit, decimals, words); };
-      table.rows.push_back({name, said(ours), said(specimen), difference(ours, specimen),
-                            said(plane), difference(ours, plane)});
+      const auto said = [&](const std::optional<Crack>& c) {
+        return fixed(c ? (*c).*value / unit : NAN, decimals, words);
+      };
+      // A crack that is still closed has no net pressure to compare.
+      const auto beside = [&](const std::optional<Crack>& c) {
+        return difference(run_.opening > 0 ? run_.*value : NAN, c ? (*c).*value : NAN);
+      };
+      table.rows.push_back(
+          {name, said(run_), said(specimen_), beside(specimen_), said(plane_), beside(plane_)});
     };
     row("crack length", &Crack::full_length, 1, 3, "m");
     row("opening at the injection, w − w_{0}", &Crack::opening, 1e-6, 1, "µm");
@@ -122,8 +124,6 @@ class PredictionResults {
         names_of<analytic::KgdRegime>[static_cast<std::size_t>(analytic::regime(problem_))]);
   }
 
-  Crack in_plane() const { return {plane_.full_length(), plane_.width, plane_.net_pressure}; }
-
   void compare(Summary& s, const std::string& path, const Crack& reference) const {
     s.compare(path + "/full_length_m", run_.full_length, reference.full_length);
     s.compare(path + "/opening_at_injection_m", run_.opening, reference.opening);
@@ -132,8 +132,7 @@ class PredictionResults {
 
   const Prediction& prediction_;
   Crack run_;
-  std::optional<analytic::StepwiseGrowth::State> specimen_;
-  analytic::KgdFracture plane_;
+  std::optional<Crack> specimen_, plane_;
   analytic::KgdProblem problem_;
 };
 

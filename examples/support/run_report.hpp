@@ -140,8 +140,9 @@ std::vector<observe::Parameter> listed(const Tree& tree, const Tree& defaults) {
   return parameters;
 }
 
-/// How far ours is from a reference, as a reader expects it: "+2.6 %".
+/// How far ours is from a reference, as a reader expects it: "+2.6 %"; a dash without either.
 inline std::string difference(double ours, double reference) {
+  if (!std::isfinite(ours) || !(reference > 0 && std::isfinite(reference))) return "\u2013";
   const double percent = 100 * (ours / reference - 1);
   return (percent > 0 ? "+" : "") + observe::fixed(percent, 1, "%");
 }

@@ -40,6 +40,8 @@ std::vector<Setting> read_toml(const std::string& path) {
   try {
     file = toml::parse_file(path);
   } catch (const toml::parse_error& e) {
+    if (e.source().begin.line == 0)
+      throw InvalidParameter("cannot read " + path + ": " + std::string(e.description()));
     throw InvalidParameter("line " + std::to_string(e.source().begin.line) + " of " + path + ": " +
                            std::string(e.description()));
   }

@@ -74,7 +74,16 @@ struct MeasuredToughness : SectionTree<MeasuredToughness> {
 /// @throws InvalidParameter with the line if the file is not a whole toughness file
 inline MeasuredToughness read_toughness(const std::string& path) {
   MeasuredToughness measured;
-  for (const Setting& s : read_toml(path)) apply(measured, s);
+  const std::vector<Setting> settings = read_toml(path);
+  for (const Setting& s : settings) apply(measured, s);
+  measured.for_each_section([&](std::string_view name, const auto& section) {
+    for_each_field<std::remove_cvref_t<decltype(section)>>([&](const auto& field) {
+      for (const Setting& s : settings)
+        if (s.section == name && s.key == field.name) return;
+      throw InvalidParameter(path + " is no whole toughness file: " + std::string(name) + "." +
+                             std::string(field.name) + " is missing");
+    });
+  });
   try {
     validate_all(measured);
   } catch (const InvalidParameter& e) {

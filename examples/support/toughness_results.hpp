@@ -55,7 +55,7 @@ class ToughnessResults {
     std::snprintf(line, sizeof line, "E' = %.2f GPa, %.3f E;  K_IC = %.3f + %.4f p (MPa, m)\n",
                   rock.E_prime / 1e9, rock.E_prime / rock.E, rock.K_IC / 1e6,
                   rock.K_IC_per_pressure);
-    return text + line;
+    return text + line + doubt();
   }
 
  private:
@@ -66,6 +66,7 @@ class ToughnessResults {
     s.set("poisson_ratio", rock.poisson_ratio);
     s.set("shear_modulus_Pa", rock.shear_modulus);
     s.set("E_prime_Pa", rock.E_prime);
+    s.set("E_prime_spread", test_.E_prime_spread);
     s.set("E_prime_from_volume_Pa", test_.E_prime_from_volume);
     s.set("E_prime_over_E", rock.E_prime / rock.E);
     s.set("K_IC_Pa_sqrt_m", rock.K_IC);
@@ -86,6 +87,15 @@ class ToughnessResults {
     s.set("wall_s", wall_);
     s.set("threads", manifest_.threads);
     return s;
+  }
+
+  /// What makes the numbers doubtful; empty if nothing does.
+  std::string doubt() const {
+    if (test_.E_prime_spread < 0.05) return "";
+    return "Beware: E' of the slits differs by " + observe::fixed(100 * test_.E_prime_spread, 0) +
+           " %, so this specimen is no elastic plate: where the in-situ stress is low, contacts "
+           "open "
+           "around the tips and only bonds carry.\n";
   }
 
   observe::Chart toughness_chart() const {
@@ -156,6 +166,7 @@ class ToughnessResults {
           "at " + fixed(test_.readings.back().slit.net_pressure_at_break / 1e6, 2, "MPa")},
          {"K_{IC} of the shortest slit", toughness_words(test_.readings.front().K_IC),
           "at " + fixed(test_.readings.front().slit.net_pressure_at_break / 1e6, 2, "MPa")}});
+    if (!doubt().empty()) page.text(doubt());
     page.figure(toughness_chart());
     page.section("Why K_{IC} is not one number");
     page.text(

@@ -1,7 +1,9 @@
 // The fit of slit tests, on readings made up from a known lattice.
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include <hfdem/analytic/kgd.hpp>
 #include <hfdem/analytic/plate.hpp>
 #include <hfdem/analytic/stepwise_growth.hpp>
 #include <hfdem/measure/toughness.hpp>
@@ -75,8 +77,8 @@ TEST_CASE("a straight line through points is that of least squares") {
 
 TEST_CASE("slits are spread evenly and even in number of contacts, or refused") {
   CHECK(measure::SlitSeries{}.contacts() == std::vector{10, 20, 30, 40});
-  CHECK(measure::SlitSeries{.shortest = 7, .longest = 13, .count = 4}.contacts() ==
-        std::vector{6, 8, 10, 12});
+  CHECK(measure::SlitSeries{.shortest = 7, .longest = 13, .count = 3}.contacts() ==
+        std::vector{8, 10, 12});
   CHECK_THROWS_WITH_AS((measure::SlitSeries{.shortest = 8, .longest = 10, .count = 3}.contacts()),
                        doctest::Contains("slits.count = 3"), InvalidParameter);
 }
@@ -115,4 +117,51 @@ TEST_CASE("longer cracks that break at less volume are run through, and split th
   CHECK(growth.breaks().back().full_length > plate.longest() - 2 * 0.01 - 1e-9);
   CHECK(growth.at(0.999 * volume));
   CHECK(!growth.at(1.001 * volume));
+}
+
+TEST_CASE("a crack in an infinite plane of such rock obeys both its equations") {
+  for (const double volume : {1e-6, 1e-5, 1e-4}) {
+    const auto crack = analytic::crack_in_plane(lattice, volume);
+    REQUIRE(crack);
+    const double a = crack->full_length / 2, p = crack->net_pressure;
+    CHECK(p * std::sqrt(pi * a) == near(lattice.toughness(p)));
+    CHECK(2 * pi * p * a * a / lattice.E_prime == near(volume));
+    CHECK(crack->opening == near(4 * a * p / lattice.E_prime));
+  }
+  // With a constant toughness it is the storage-toughness vertex.
+  analytic::LatticeFracture constant = lattice;
+  constant.K_IC_per_pressure = 0;
+  const auto crack = analytic::crack_in_plane(constant, 4.5e-5);
+  const auto kgd = analytic::toughness_vertex(25e9, 1.5e6, 0.5e-4, 0.9);
+  REQUIRE(crack);
+  CHECK(crack->full_length == near(kgd.full_length()));
+  CHECK(crack->opening == near(kgd.width));
+  CHECK(crack->net_pressure == near(kgd.net_pressure));
+}
+
+TEST_CASE("a volume too small for steady growth drives no crack through the plane") {
+  // At sqrt(pi a) = 4/3 of 0.06: p = 3 K_IC / 0.06, V = 2 pi p a^2 / E'.
+  const double root = 0.08, a = root * root / pi, p = 3 * 1.5e6 / 0.06;
+  const double least = 2 * pi * p * a * a / lattice.E_prime;
+  CHECK(!analytic::crack_in_plane(lattice, 0.999 * least));
+  REQUIRE(analytic::crack_in_plane(lattice, 1.001 * least));
+  CHECK(analytic::crack_in_plane(lattice, 1.001 * least)->full_length > 2 * a);
+}
+
+TEST_CASE("a staircase that no pressure climbs is refused") {
+  const auto refusal = [](double per_pressure, int contacts) {
+    analytic::LatticeFracture rock = lattice;
+    rock.K_IC_per_pressure = per_pressure;
+    try {
+      analytic::StepwiseGrowth(plate, rock, 0.01, contacts);
+    } catch (const InvalidParameter& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  CHECK(refusal(0.06, 4) == "");
+  CHECK(refusal(-0.5, 4) == "");
+  CHECK(refusal(1, 4).find("toughness.K_IC_per_pressure = 1 sqrt(m)") == 0);
+  CHECK(refusal(0.06, 0).find("crack.contacts = 0") == 0);
+  CHECK(refusal(0.06, 95).find("crack.contacts = 95") == 0);
 }

@@ -44,12 +44,13 @@ inline VerificationRun inject(const Kgd::Params& params, const hfdem::SquareArra
   Kgd sim{hfdem::square_array(array), params};
   const double far_field = params.in_situ.xx;
   VerificationRun run;
-  sim.run_until(end_time, [&](const Kgd& s) {
+  const auto look = [&](const Kgd& s) {
     const auto shape = hfdem::measure::crack_shape(s);
     run.samples.push_back(
         {s.time(), shape.full_length(), shape.opening, s.injection_pressure() - far_field});
     if (std::abs(shape.tip_up - shape.tip_down) > 1e-9) run.tips_always_equal = false;
-  });
+  };
+  sim.run_until(end_time, look);
   const auto breaks = sim.breaks();
   int contacts = static_cast<int>(sim.preset_contacts().size());
   for (std::size_t b = 0; b + 1 < breaks.size(); b += 2, contacts += 2)

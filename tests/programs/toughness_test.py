@@ -104,10 +104,34 @@ class ToughnessTest(unittest.TestCase):
         self.assertFalse(self.summary("other")["toughness"]["same_lattice"])
         self.assertIn("Beware", (self.path("other") / "report.html").read_text())
 
+    def test_a_run_too_short_for_a_growing_crack_says_so(self):
+        done = self.run_program(KGD, "--quick", "--toughness", str(SHIPPED), "--set",
+                                "run.end_time=0.001", out="short")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("too short to grow steadily", done.stdout)
+        self.assertNotIn("in_infinite_plane", self.summary("short")["toughness"])
+        self.assertNotIn("inf ", done.stdout)
+
+    def test_kgd_runs_where_slits_predict_nothing(self):
+        done = self.run_program(KGD, "--quick", "--toughness", str(SHIPPED), "--set",
+                                "specimen.rows=100", "--set", "run.end_time=0.01", out="oblong")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("no prediction from slits: specimen.rows = 100", done.stdout)
+        self.assertIn("specimen.rows", self.summary("oblong")["toughness"]["no_prediction"])
+
+    def test_kgd_says_that_the_injection_is_not_in_the_middle(self):
+        done = self.run_program(KGD, "--quick", "--toughness", str(SHIPPED), "--set",
+                                "injection.position=[0.1, 0.2]", "--set", "run.end_time=0.02",
+                                out="aside")
+        self.assertIn("injection.position is not the middle", done.stdout)
+
     def test_files_that_are_no_toughness_files_are_refused(self):
         self.refused(KGD, "--quick", "--toughness", str(self.path("nowhere.toml")), words=["nowhere"])
         self.refused(KGD, "--quick", "--toughness", self.changed_file(r"^E_prime.*\n", ""),
-                     words=["no whole toughness file", "E_prime"])
+                     words=["no whole toughness file", "toughness.E_prime is missing"])
+        self.refused(KGD, "--quick", "--toughness", self.changed_file(r"(?s)^\[contact\].*", ""),
+                     words=["no whole toughness file", "contact.E is missing"])
+        self.refused(KGD, "--quick", "--toughness", "", words=["--toughness"])
         self.refused(KGD, "--quick", "--toughness", self.changed_file(r"^K_IC = ", "K_1C = "),
                      words=["line 6", "K_1C"])
         self.refused(KGD, "--quick", "--toughness", self.changed_file(r"^K_IC = \S+", "K_IC = -1"),
@@ -115,8 +139,26 @@ class ToughnessTest(unittest.TestCase):
 
     def test_slits_that_cannot_be_are_refused(self):
         self.refused(TOUGHNESS, "--set", "slits.count=40", words=["slits.count", "at most 16"])
+        self.refused(TOUGHNESS, "--quick", "--set", "in_situ.xx=0", "--set", "in_situ.yy=0",
+                     words=["in_situ.xx", "greater than 0"])
+        self.refused(TOUGHNESS, "--quick", "--set", "specimen.columns=100",
+                     words=["specimen.rows = 40", "half to twice"])
+        self.refused(TOUGHNESS, "--quick", "--set", "contact.stiffness_ratio=8", "--set",
+                     "contact.bond_stiffness_ratio=8", words=["contact.stiffness_ratio", "0.3 to 6"])
         self.refused(TOUGHNESS, "--set", "slits.longest=4", words=["slits.longest"])
         self.refused(TOUGHNESS, "--set", "slits.longest=120", words=["slits.longest", "at most 90"])
+
+    def test_a_rock_that_breaks_by_itself_or_never_ends_with_a_sentence(self):
+        done = self.run_program(TOUGHNESS, "--quick", "--set", "contact.cohesion=0", "--set",
+                                "contact.friction_angle=0", "--set", "in_situ.yy=40e6", out="weak")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("without any net pressure", done.stderr)
+
+    def test_doubtful_numbers_say_so(self):
+        done = self.run_program(TOUGHNESS, "--quick", "--set", "in_situ.xx=1e5", "--set",
+                                "in_situ.yy=1e5", out="doubt")
+        self.assertIn("Beware: E' of the slits differs by", done.stdout)
+        self.assertGreater(self.summary("doubt")["E_prime_spread"], 0.05)
 
 
 if __name__ == "__main__":

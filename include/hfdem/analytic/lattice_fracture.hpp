@@ -2,6 +2,9 @@
 /// What a fracture meets in a lattice of bonded discs, in the numbers that slit tests measure.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+#include <optional>
 #include <tuple>
 
 #include <hfdem/base/fields.hpp>
@@ -45,5 +48,35 @@ struct LatticeFracture {
   /// K_IC at a net pressure, Pa sqrt(m).
   double toughness(double net_pressure) const { return K_IC + K_IC_per_pressure * net_pressure; }
 };
+
+/// A crack in a lattice at one moment.
+struct LatticeCrack {
+  double full_length;   ///< m
+  double opening;       ///< w - w0 at the middle, m
+  double net_pressure;  ///< Pa
+};
+
+/// The crack that a volume drives through an infinite plane of such rock: p sqrt(pi a) = K_IC(p),
+/// no viscosity, no leak-off. The toughness of a lattice lets no short crack grow steadily: below
+/// sqrt(pi a) = 4/3 of `K_IC_per_pressure` a longer one needs less volume.
+/// @param volume injected, m2
+/// @returns nothing for a volume too small for steady growth
+inline std::optional<LatticeCrack> crack_in_plane(const LatticeFracture& rock, double volume) {
+  using std::numbers::pi;
+  const double k = rock.K_IC_per_pressure;
+  const auto pressure = [&](double root) { return rock.K_IC / (root - k); };  // root: sqrt(pi a)
+  const auto needs = [&](double root) {
+    return 2 * root * root * root * root / pi * pressure(root) / rock.E_prime;
+  };
+  double low = std::fmax(0, 4 * k / 3), high = low + 1;
+  if (low > 0 && !(volume >= needs(low))) return {};
+  while (needs(high) < volume) high *= 2;
+  for (int halving = 0; halving < 100; ++halving) {
+    const double middle = (low + high) / 2;
+    (needs(middle) < volume ? low : high) = middle;
+  }
+  const double a = high * high / pi, p = pressure(high);
+  return LatticeCrack{2 * a, 4 * a * p / rock.E_prime, p};
+}
 
 }  // namespace hfdem::analytic

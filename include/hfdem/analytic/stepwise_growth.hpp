@@ -12,6 +12,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <hfdem/analytic/lattice_fracture.hpp>
@@ -29,27 +30,30 @@ class StepwiseGrowth {
     double net_pressure;  ///< Pa
     double volume;        ///< injected until then, m2
   };
-  /// The crack between two breaks.
-  struct State {
-    double full_length;   ///< m
-    double opening;       ///< w - w0 at the middle, m
-    double net_pressure;  ///< Pa
-  };
-
   /// @param plate the specimen
   /// @param rock as slit tests of it say
   /// @param facet length of one broken contact, m
   /// @param preset_contacts broken ones when injection begins
-  /// @throws InvalidParameter if there are none
+  /// @throws InvalidParameter if there are none, more than the plate solution knows, or no pressure
+  ///   breaks them
   StepwiseGrowth(const CrackedPlate& plate, const LatticeFracture& rock, double facet,
                  int preset_contacts)
       : plate_(plate), rock_(rock) {
+    const auto most = static_cast<int>(plate.longest() / facet);
+    if (preset_contacts < 1 || preset_contacts > most)
+      refuse("crack", "contacts", std::to_string(preset_contacts),
+             "at least 1 and at most " + std::to_string(most) +
+                 ": the plate is known for cracks of up to 0.94 of its width");
     double volume = 0;
     for (int n = preset_contacts; n * facet <= plate.longest(); n += 2) {
       const double length = n * facet, a = length / 2;
-      const double net_pressure =
-          rock.K_IC / (plate.factors(length).toughness * std::sqrt(std::numbers::pi * a) -
-                       rock.K_IC_per_pressure);
+      const double per_pressure =
+          plate.factors(length).toughness * std::sqrt(std::numbers::pi * a);  // K_I / p
+      if (!(per_pressure > rock.K_IC_per_pressure))
+        refuse("toughness", "K_IC_per_pressure", to_text(rock.K_IC_per_pressure) + " sqrt(m)",
+               "less than " + to_text(per_pressure) +
+                   " sqrt(m), or no pressure breaks a crack of " + in_words(length) + " m");
+      const double net_pressure = rock.K_IC / (per_pressure - rock.K_IC_per_pressure);
       // A longer crack that breaks at less volume is run through at once.
       volume = std::max(volume, volume_at(length, net_pressure));
       breaks_.push_back({n, length, net_pressure, volume});
@@ -60,14 +64,14 @@ class StepwiseGrowth {
   std::span<const Break> breaks() const { return breaks_; }
 
   /// The crack once a volume is injected, m2; nothing if the plate has split by then.
-  std::optional<State> at(double volume) const {
+  std::optional<LatticeCrack> at(double volume) const {
     const auto next = std::upper_bound(breaks_.begin(), breaks_.end(), volume,
                                        [](double v, const Break& b) { return v < b.volume; });
     if (next == breaks_.end()) return {};
     const double length = next->full_length;
     const double offset = length * rock_.volume_offset;
     const double net_pressure = (volume + offset) / (volume_at(length, 1) + offset);
-    return State{length, opening_at(length, net_pressure), net_pressure};
+    return LatticeCrack{length, opening_at(length, net_pressure), net_pressure};
   }
 
  private:

@@ -62,14 +62,24 @@ class Slit {
   /// @throws RunStopped if a state finds no equilibrium
   double net_pressure_at_break(double start, double accuracy = 1e-3) {
     double holds = start;
-    while (!survives(holds)) holds /= 4;
-    for (double rise = 0.1; rise > accuracy;) {
-      if (survives(holds * (1 + rise)))
-        holds *= 1 + rise;
-      else
-        rise /= 2;
+    while (!survives(holds)) {
+      holds /= 4;
+      if (holds < 1e-6 * start)
+        throw RunStopped("bonds around a slit are over their strength without any net pressure");
     }
-    return holds * (1 + accuracy / 2);
+    double rise = 0.1;
+    while (true) {
+      if (survives(holds * (1 + rise))) {
+        holds *= 1 + rise;
+        if (crack_shape(sim_).opening > half_length())
+          throw RunStopped("a slit opened wider than it is long and no bond broke, at " +
+                           in_words(holds) + " Pa of net pressure");
+      } else if (rise <= accuracy) {
+        return holds * (1 + rise / 2);
+      } else {
+        rise = std::fmax(rise / 2, accuracy);
+      }
+    }
   }
 
   /// First the pressure at first break, then stiffness at 80, 90 and 100 % of it, where the tips
@@ -112,6 +122,7 @@ class Slit {
 
   static typename Sim::Params with_slit(typename Sim::Params params, int contacts) {
     params.crack = {.contacts = contacts};
+    params.injection.position = {};
     return params;
   }
 

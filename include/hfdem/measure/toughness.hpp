@@ -10,14 +10,17 @@
 /// given strength, not a singular stress field, so K grows with the pressure at which it happens.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include <hfdem/analytic/lattice_fracture.hpp>
 #include <hfdem/analytic/plate.hpp>
+#include <hfdem/base/fields.hpp>
 #include <hfdem/measure/slit_readings.hpp>
 
 namespace hfdem::measure {
@@ -42,13 +45,14 @@ struct SlitSeries {
   /// @throws InvalidParameter if there are not so many
   std::vector<int> contacts() const {
     validate(*this, "slits");
-    if (longest / 2 - shortest / 2 < count - 1)
+    const int least = (shortest + 1) / 2;  // pairs of contacts
+    if (longest / 2 - least < count - 1)
       refuse("slits", "count", std::to_string(count),
-             "at most " + std::to_string(std::max(0, longest / 2 - shortest / 2 + 1)) +
+             "at most " + std::to_string(std::max(0, longest / 2 - least + 1)) +
                  ", the even numbers from slits.shortest to slits.longest");
     std::vector<int> all;
     for (int k = 0; k < count; ++k)
-      all.push_back(2 * (shortest / 2 + (longest / 2 - shortest / 2) * k / (count - 1)));
+      all.push_back(2 * (least + (longest / 2 - least) * k / (count - 1)));
     return all;
   }
 };
@@ -62,6 +66,7 @@ struct ToughnessTest {
     double K_IC;     ///< at its first break, Pa sqrt(m)
   };
   std::vector<Reading> readings{};   ///< one per slit
+  double E_prime_spread = 0;         ///< largest less smallest from the openings, over their mean
   double E_prime_from_volume = 0;    ///< Pa; that of `rock` is from the openings
   analytic::LatticeFracture rock{};  ///< what all slits say of it
 };
@@ -93,6 +98,10 @@ ToughnessTest toughness_test(const std::vector<SlitTest>& slits, const Plate& pl
   for (const Vec2& r : roots)
     test.rock.overhang += (r.y * std::sqrt(test.rock.E_prime) - r.x) / count;
   const Line K = Line::through(toughness), root = Line::through(roots);
+  const auto [least, most] =
+      std::minmax_element(test.readings.begin(), test.readings.end(),
+                          [](const auto& a, const auto& b) { return a.E_prime < b.E_prime; });
+  test.E_prime_spread = (most->E_prime - least->E_prime) / test.rock.E_prime;
   test.rock.K_IC = K.intercept;
   test.rock.K_IC_per_pressure = K.slope;
   test.E_prime_from_volume = 1 / (root.slope * root.slope);
