@@ -202,7 +202,8 @@ class ReportTest(unittest.TestCase):
     def test_references_stand_beside_the_numbers_where_they_hold(self):
         summary = json.loads((self.folder("full") / "summary.json").read_text())
         rows = {row[1]: row[2:] for row in self.full.rows()}
-        self.assertEqual(rows[""], ["hfdem", "paper", "difference", "KGD", "difference"])
+        self.assertEqual(rows[""], ["hfdem", "paper", "difference", "KGD, the paper's KIC",
+                          "difference"])
         for name, key in {"crack length": "full_length_m",
                           "aperture at the injection, w": "aperture_at_injection_m",
                           "of which opened, w - w0": "opening_at_injection_m",
