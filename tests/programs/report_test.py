@@ -221,7 +221,7 @@ class ReportTest(unittest.TestCase):
             self.assertIn(printed, words)
         # The small specimen is not the paper's.
         rows = {row[1]: row[2:] for row in self.quick.rows()}
-        self.assertEqual(rows[""], ["hfdem", "KGD", "difference"])
+        self.assertEqual(rows[""], ["hfdem", "KGD, the paper's KIC", "difference"])
         self.assertNotIn("0.770", self.quick.source)
         self.assertNotIn("paper (numerical)", self.quick.source)
         self.assertIn("paper (numerical)", self.full.source)
