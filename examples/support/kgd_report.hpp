@@ -93,7 +93,7 @@ class KgdReport {
     const bool paper = at_paper_time(config_, sim.time());
     const double net = sim.injection_pressure() - o.far_field;
     // What slits predict, if they were tested, is the better reference.
-    std::string name = "KGD, the paper's K_{IC}: ";
+    std::string name = "KGD ";
     double length = o.kgd.full_length(), aperture = o.kgd.width, pressure = o.kgd.net_pressure;
     if (o.predicted && o.predicted->in_specimen()) {
       const analytic::LatticeCrack& slits = *o.predicted->in_specimen();
