@@ -59,6 +59,7 @@ struct LatticeCrack {
 /// The crack that a volume drives through an infinite plane of such rock: p sqrt(pi a) = K_IC(p),
 /// no viscosity, no leak-off. The toughness of a lattice lets no short crack grow steadily: below
 /// sqrt(pi a) = 4/3 of `K_IC_per_pressure` a longer one needs less volume.
+/// @param rock as slit tests say
 /// @param volume injected, m2
 /// @returns nothing for a volume too small for steady growth
 inline std::optional<LatticeCrack> crack_in_plane(const LatticeFracture& rock, double volume) {
