@@ -4,7 +4,7 @@
 //
 //   build/release/examples/toughness --out out/toughness
 //
-// You should see, after about half a minute, E' = 25.8 GPa, which is 0.76 of Young's modulus, and a
+// You should see, after about a minute, E' = 25.8 GPa, which is 0.76 of Young's modulus, and a
 // toughness that grows with the net pressure from 1.68 to 1.84 MPa sqrt(m). The file toughness.toml
 // is what `kgd --toughness` reads.
 #include <cmath>

@@ -30,6 +30,7 @@ class StepwiseGrowth {
     double net_pressure;  ///< Pa
     double volume;        ///< injected until then, m2
   };
+
   /// @param plate the specimen
   /// @param rock as slit tests of it say
   /// @param facet length of one broken contact, m
@@ -46,9 +47,7 @@ class StepwiseGrowth {
                  ": the plate is known for cracks of up to 0.94 of its width");
     double volume = 0;
     for (int n = preset_contacts; n * facet <= plate.longest(); n += 2) {
-      const double length = n * facet, a = length / 2;
-      const double per_pressure =
-          plate.factors(length).toughness * std::sqrt(std::numbers::pi * a);  // K_I / p
+      const double length = n * facet, per_pressure = plate.stress_intensity(1, length);
       if (!(per_pressure > rock.K_IC_per_pressure))
         refuse("toughness", "K_IC_per_pressure", to_text(rock.K_IC_per_pressure) + " sqrt(m)",
                "less than " + to_text(per_pressure) +
