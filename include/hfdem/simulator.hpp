@@ -8,13 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <hfdem/contact/smooth_platen.hpp>
-#include <hfdem/mechanics/contact_range.hpp>
-#include <hfdem/mechanics/force_rows.hpp>
-#include <hfdem/mechanics/loading.hpp>
-#include <hfdem/mechanics/motion.hpp>
-#include <hfdem/mechanics/stable_step.hpp>
-#include <hfdem/mechanics/uniform_strain.hpp>
+#include <hfdem/assembly.hpp>
 #include <hfdem/setup/bonding.hpp>
 #include <hfdem/setup/flow_domains.hpp>
 #include <hfdem/setup/preset_crack.hpp>
@@ -48,20 +42,10 @@ class Simulator {
   /// @throws RunStopped if the specimen finds no equilibrium under the in-situ stress
   Simulator(const Specimen& specimen, const Params& params)
       : params_((params.validate(), params)),
-        specimen_(specimen),
-        discs_(specimen),
-        geometry_(bonded_contacts<Neighbours>(specimen)),
-        loading_(params.boundary, specimen),
-        forces_(discs_.size() + all_sides.size()),
-        rock_(make_rock()),
-        platens_(make_platens()),
+        assembly_(specimen, bonded_contacts<Neighbours>(specimen), Contact(params.contact),
+                  params.boundary, params.mechanics.damping, params.mechanics.step_fraction),
         aperture_(params.aperture),
         pressure_(params.scheme) {
-    forces_.arrange();
-    motion_ = DiscMotion(
-        discs_,
-        params.mechanics.step_fraction * stable_step(largest_frequency(), params.mechanics.damping),
-        params.mechanics.damping);
     make_network();
     set_in_situ(params.in_situ);
   }
@@ -71,7 +55,7 @@ class Simulator {
   /// Makes one fluid step.
   /// @throws RunStopped when the run cannot go on; everything stays readable
   FluidStep step() {
-    const double dt = pressure_.fluid_dt(motion_.dt());
+    const double dt = pressure_.fluid_dt(assembly_.dt());
     const double injected = rate_ * dt;
     time_ += dt;
     injected_ += injected;
@@ -91,7 +75,7 @@ class Simulator {
   /// @throws RunStopped when the run cannot go on
   template <class... Observers>
   bool run_until(double end_time, Observers&&... observers) {
-    while (time_ + 1e-6 * pressure_.fluid_dt(motion_.dt()) < end_time) {
+    while (time_ + 1e-6 * pressure_.fluid_dt(assembly_.dt()) < end_time) {
       const std::size_t told = breaks_.size();
       [[maybe_unused]] const FluidStep result = step();
       for (std::size_t b = told; b < breaks_.size(); ++b)
@@ -106,11 +90,8 @@ class Simulator {
   /// Changes the in-situ stress and lets the specimen settle, without fluid flow.
   /// @throws RunStopped if it finds no equilibrium
   void set_in_situ(Stress stress) {
-    const Stress before = loading_.stress();
-    loading_.set_stress(stress);
-    for (Index i = 0; i < discs_.size(); ++i) load_disc(i);
-    shorten(discs_, uniform_strain_.shortening({stress.xx - before.xx, stress.yy - before.yy}),
-            loading_.width(), loading_.height());
+    assembly_.set_stress(stress);
+    for (Index i = 0; i < discs().size(); ++i) push(i);
     settle();
   }
 
@@ -123,10 +104,7 @@ class Simulator {
       Relaxed last{};
       for (int k = 0; k < between_checks; ++k) last = relax(true);
       mean_contact_force_ = mean_contact_force();
-      double worst = last.unbalanced_ratio;
-      if (loading_.has_platens())
-        for (const Side side : all_sides)
-          worst = std::fmax(worst, loading_.error(side, discs_, forces_));
+      const double worst = std::fmax(last.unbalanced_ratio, assembly_.worst_platen_error());
       if (worst < params_.mechanics.settle_tolerance) return;
     }
     throw RunStopped("the specimen found no equilibrium in " +
@@ -145,15 +123,19 @@ class Simulator {
 
   // ---- what can be read -----------------------------------------------------------------------
 
-  double time() const { return time_; }                   ///< fluid time since injection began, s
-  const Params& params() const { return params_; }        ///< as given
-  const Specimen& specimen() const { return specimen_; }  ///< before it was bonded
-  const Discs& discs() const { return discs_; }           ///< bodies and their motion
+  double time() const { return time_; }             ///< fluid time since injection began, s
+  const Params& params() const { return params_; }  ///< as given
+  const Specimen& specimen() const { return assembly_.specimen(); }  ///< before it was bonded
+  const Discs& discs() const { return assembly_.discs(); }           ///< bodies and their motion
   /// Between discs; the flow channel of contact c is channel c.
-  const ContactRange<Contact>& contacts() const { return rock_; }
-  const Network& network() const { return network_; }  ///< pressures and widths
-  const Loading& loading() const { return loading_; }  ///< platens or dead loads
-  const ForceRows& forces() const { return forces_; }  ///< of the last mechanical step
+  const ContactRange<Contact>& contacts() const { return assembly_.contacts(); }
+  /// Between discs and platens.
+  const ContactRange<SmoothPlaten>& platens() const { return assembly_.platens(); }
+  /// Bodies and normals of these.
+  std::span<const ContactGeometry> platen_geometry() const { return assembly_.platen_geometry(); }
+  const Network& network() const { return network_; }             ///< pressures and widths
+  const Loading& loading() const { return assembly_.loading(); }  ///< platens or dead loads
+  const ForceRows& forces() const { return assembly_.forces(); }  ///< of the last mechanical step
   /// For hosts that steer their scheme between steps, as through `HeldPressure::hold`.
   Pressure& pressure_scheme() { return pressure_; }
   const Pressure& pressure_scheme() const { return pressure_; }  ///< to be read
@@ -165,82 +147,37 @@ class Simulator {
   double injection_pressure() const { return network_.pressure(network_.injection_domain()); }
   /// Direction of the preset crack.
   Vec2 crack_direction() const { return hfdem::crack_direction(params_.in_situ); }
-  double mechanical_dt() const { return motion_.dt(); }        ///< mechanical step, s
+  double mechanical_dt() const { return assembly_.dt(); }      ///< mechanical step, s
   long mechanical_steps() const { return mechanical_steps_; }  ///< of all fluid steps so far
   long settling_steps() const { return settling_steps_; }      ///< without fluid flow, so far
   long fluid_steps() const { return fluid_steps_; }            ///< so far
 
   /// Where a contact is: its contact point, m.
   Vec2 contact_point(Index contact) const {
-    const auto& [bodies, f] = geometry_[contact];
-    return discs_.centre[bodies.first] +
+    const auto& [bodies, f] = contact_geometry(contact);
+    return discs().centre[bodies.first] +
            (f.arm_mean - f.arm_half_difference) * Vec2{f.normal_x, f.normal_y};
   }
   /// A contact's bodies, normal and arms.
-  const ContactGeometry& contact_geometry(Index contact) const { return geometry_[contact]; }
+  const ContactGeometry& contact_geometry(Index contact) const {
+    return assembly_.geometry()[contact];
+  }
 
   /// Mean size of the force in the contacts between discs at the last mechanical step, N per m.
-  double mean_contact_force() const {
-    double sum = 0;
-    for (std::size_t c = 0; c < rock_.size(); ++c) {
-      const Pack& row = forces_.rows()[rock_.first_row() + c];
-      sum += std::sqrt(row[0] * row[0] + row[1] * row[1]);
-    }
-    return rock_.size() == 0 ? 0 : sum / static_cast<double>(rock_.size());
-  }
+  double mean_contact_force() const { return assembly_.mean_contact_force(); }
 
  private:
   // ---- setting up -----------------------------------------------------------------------------
 
-  ContactRange<Contact> make_rock() {
-    const Contact law(params_.contact);
-    std::vector<typename Contact::template Stiffness<double>> stiffness;
-    for (const auto& c : geometry_) {
-      stiffness.push_back(law.stiffness(disc(c.bodies.first), disc(c.bodies.second)));
-      uniform_strain_.add(c.frame, law.springs(stiffness.back()), 2 * c.frame.arm_mean,
-                          specimen_.width * specimen_.height);
-    }
-    ContactRange<Contact> rock(law, 0, geometry_, stiffness);
-    forces_.add(geometry_, 0, rock.padded_size());
-    return rock;
-  }
-
-  ContactRange<SmoothPlaten> make_platens() {
-    std::vector<ContactGeometry> touching;
-    if (loading_.has_platens()) touching = platen_contacts(specimen_, discs_);
-    std::vector<SmoothPlaten::Stiffness<double>> stiffness;
-    for (const auto& c : touching) {
-      const Index i = c.bodies.first;
-      const Springs like = rock_.law().springs(rock_.law().stiffness(disc(i), disc(i)));
-      stiffness.push_back(SmoothPlaten::stiffness(like));
-      const double k = stiffness.back().normal;
-      loading_.add_stiffness(static_cast<Side>(c.bodies.second - discs_.size()), k);
-      uniform_strain_.add(c.frame, {.normal = k}, specimen_.radius[i],
-                          specimen_.width * specimen_.height);
-    }
-    ContactRange<SmoothPlaten> platens({}, rock_.padded_size(), touching, stiffness);
-    forces_.add(touching, platens.first_row(), platens.padded_size());
-    platen_geometry_ = std::move(touching);
-    return platens;
-  }
-
-  double largest_frequency() const {
-    FrequencyBound bound(discs_);
-    for (std::size_t c = 0; c < rock_.size(); ++c)
-      bound.add(geometry_[c], rock_.law().springs(rock_.stiffness(c)));
-    for (std::size_t c = 0; c < platens_.size(); ++c)
-      bound.add(platen_geometry_[c], platens_.law().springs(platens_.stiffness(c)));
-    return bound.value();
-  }
-
   void make_network() {
-    FlowDomains domains = flow_domains(specimen_, geometry_);
-    const Index injection = injection_domain(domains, specimen_, params_.injection.position);
+    FlowDomains domains = flow_domains(specimen(), assembly_.geometry());
+    const Index injection = injection_domain(domains, specimen(), params_.injection.position);
     const Vec2 centre = domains.centre[injection];
     network_ = Network(std::move(domains), injection, aperture_.rest_width());
-    preset_ = preset_crack(params_.crack, specimen_, geometry_, centre, crack_direction());
+    preset_ =
+        preset_crack(params_.crack, specimen(), assembly_.geometry(), centre, crack_direction());
     for (const Index c : preset_) {
-      rock_.break_bond(c);
+      assembly_.break_bond(c);
       network_.open(c);
     }
     if (Pressure::holds_fluid && network_.wet_channels().empty()) refuse_crack();
@@ -254,37 +191,34 @@ class Simulator {
     refuse("crack", "contacts", "0", "at least 1: the fluid needs a crack to enter");
   }
 
-  Disc disc(Index i) const { return {specimen_.radius[i]}; }
-
   // ---- one mechanical step --------------------------------------------------------------------
 
   Relaxed relax(bool settling) {
-    rock_.evaluate(discs_.displacement, forces_.rows(), threads_);
-    platens_.evaluate(discs_.displacement, forces_.rows(), threads_);
     const std::size_t broken_before = breaks_.size();
-    rock_.break_bonds(discs_.displacement, forces_.rows(), [&](Index contact, Mode mode) {
+    assembly_.find_forces(threads_, [&](Index contact, Mode mode) {
       breaks_.push_back({time_, contact, mode, injection_pressure()});
       network_.open(contact);
     });
     const std::size_t broken = breaks_.size() - broken_before;
     if (broken > 0) stop_if_at_rim();
-    for (const Index i : network_.pushed_discs()) load_disc(i);
-    loading_.step(discs_, forces_, settling);
-    const double largest = motion_.step(discs_, forces_, threads_);
+    for (const Index i : network_.pushed_discs()) push(i);
+    const double largest = assembly_.move(settling, threads_);
     stop_if_not_finite(largest);
     refresh_widths();
     ++(settling ? settling_steps_ : mechanical_steps_);
     return {largest == 0 ? 0 : largest / mean_contact_force_, static_cast<int>(broken)};
   }
 
-  void load_disc(Index i) { discs_.load[i] = loading_.dead_load(i) + network_.force_on(i); }
+  void push(Index disc) { assembly_.push(disc, network_.force_on(disc)); }
 
   void refresh_widths() {
+    const ContactRange<Contact>& rock = contacts();
     for (const Index c : network_.wet_channels()) {
-      const double compression = rock_.response(c, discs_.displacement).reaction().normal;
-      const double opening = rock_.motion(c, discs_.displacement).opening;
-      network_.set_width(c,
-                         aperture_.width(network_.rest_width(c), max(0.0, compression), opening));
+      const Motion<double> motion = rock.motion(c, discs().displacement);
+      const double compression =
+          rock.law().respond(rock.stiffness(c), rock.memory(c), motion).reaction().normal;
+      network_.set_width(
+          c, aperture_.width(network_.rest_width(c), max(0.0, compression), motion.opening));
     }
   }
 
@@ -303,17 +237,9 @@ class Simulator {
   }
 
   Params params_;
-  Specimen specimen_;
-  Discs discs_;
-  std::vector<ContactGeometry> geometry_, platen_geometry_;
-  Loading loading_;
-  ForceRows forces_;
-  UniformStrainModulus uniform_strain_;
-  ContactRange<Contact> rock_;
-  ContactRange<SmoothPlaten> platens_;
+  Assembly<Contact> assembly_;
   Aperture aperture_;
   Pressure pressure_;
-  DiscMotion motion_;
   Network network_;
   std::vector<Index> preset_;
   std::vector<BondBreak> breaks_;

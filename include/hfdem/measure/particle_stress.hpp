@@ -18,7 +18,6 @@
 #include <vector>
 
 #include <hfdem/base/vec2.hpp>
-#include <hfdem/setup/bonding.hpp>
 #include <hfdem/state/contact.hpp>
 #include <hfdem/state/specimen.hpp>
 
@@ -75,12 +74,10 @@ std::vector<StressTensor> particle_stress(const Sim& sim) {
     add(second, point - discs.centre[second], force);
   }
 
-  if (sim.loading().has_platens()) {
-    std::size_t row = rock.padded_size();  // the platens' rows follow those of the rock
-    for (const auto& [bodies, f] : platen_contacts(sim.specimen(), discs))
-      add(bodies.first, discs.radius[bodies.first] * Vec2{f.normal_x, f.normal_y},
-          -force_on_second(row++));
-  }
+  std::size_t row = sim.platens().first_row();
+  for (const auto& [bodies, f] : sim.platen_geometry())
+    add(bodies.first, discs.radius[bodies.first] * Vec2{f.normal_x, f.normal_y},
+        -force_on_second(row++));
 
   for (const Index domain : network.wet_domains()) {
     // Both run around the domain counter-clockwise: disc k lies between contacts k - 1 and k.

@@ -31,6 +31,8 @@
 #include <hfdem/measure/particle_stress.hpp>
 #include <hfdem/observe/vtk_xml.hpp>
 #include <hfdem/observe/whole_file.hpp>
+#include <hfdem/state/discs.hpp>
+#include <hfdem/state/network.hpp>
 #include <hfdem/state/step.hpp>
 
 namespace hfdem::observe {
