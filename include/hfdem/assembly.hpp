@@ -27,7 +27,10 @@ namespace hfdem {
 template <ContactLaw Contact>
 class Assembly {
  public:
+  /// @param specimen whose discs it takes, as they are when they are bonded
   /// @param bonded contacts between discs
+  /// @param law of these contacts
+  /// @param boundary what holds the discs of the rim
   /// @param damping local damping coefficient
   /// @param step_fraction mechanical time step over the longest stable one
   Assembly(const Specimen& specimen, std::vector<ContactGeometry> bonded, const Contact& law,
@@ -60,6 +63,7 @@ class Assembly {
 
   /// Moves platens and discs by one time step.
   /// @param settling frozen platens still move then
+  /// @param threads for the loop; the result does not depend on it
   /// @returns the largest resultant force on a disc before damping, N per m
   double move(bool settling, int threads) {
     loading_.step(discs_, forces_, settling);
