@@ -60,6 +60,9 @@ int guarded(const char* program, const CLI::App& app, Body&& body) {
   } catch (const OutputFailed& e) {
     std::fprintf(stderr, "%s: %s\n", program, e.what());
     return output_failed;
+  } catch (const RunStopped& e) {
+    std::fprintf(stderr, "%s: %s\n", program, e.what());
+    return run_stopped;
   }
 }
 

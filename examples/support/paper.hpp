@@ -15,4 +15,20 @@ struct Verification {
   static constexpr double K_IC = 1.88e6;            ///< Pa sqrt(m): fitted there to its length
 };
 
+/// Section 4.1: carbon dioxide in intact rock, cases 2-S1 and 2-S2, one random specimen each.
+struct Intact {
+  static constexpr double E_prime = 39.17e9;  ///< Pa: what its KGD values follow from
+  static constexpr double K_IC = 2.66e6;      ///< Pa sqrt(m): fitted there to case 2-S1
+  static constexpr double breakdown_S1 = 22.3e6, breakdown_S2 = 22.1e6;  ///< Pa
+
+  /// Case 2-S1 at t = 1.5 s, Figs. 7 and 12.
+  static constexpr double time = 1.5;            ///< s
+  static constexpr double tip_distance = 0.683;  ///< m
+  static constexpr double total_length = 1.099;  ///< of all microcracks, m
+  static constexpr double tortuosity = 1.63;
+  static constexpr double aperture = 10.64e-5;      ///< at the injection, m
+  static constexpr double kgd_full_length = 0.919;  ///< m, as printed
+  static constexpr double kgd_aperture = 10.40e-5;  ///< m, as printed
+};
+
 }  // namespace hfdem::support::paper

@@ -45,6 +45,7 @@ class Assembly {
     forces_.arrange();
     motion_ =
         DiscMotion(discs_, step_fraction * stable_step(largest_frequency(), damping), damping);
+    for (const Side side : all_sides) motion_.leave_out(loading_.rim(side));
   }
 
   // ---- one mechanical step ----------------------------------------------------------------------

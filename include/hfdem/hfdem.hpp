@@ -21,6 +21,7 @@
 #include <hfdem/neighbours/fixed_pairs.hpp>
 #include <hfdem/observe/chart.hpp>
 #include <hfdem/observe/fracture_map.hpp>
+#include <hfdem/observe/growth.hpp>
 #include <hfdem/observe/history.hpp>
 #include <hfdem/observe/paraview.hpp>
 #include <hfdem/observe/report.hpp>

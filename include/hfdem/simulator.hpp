@@ -170,7 +170,7 @@ class Simulator {
   // ---- setting up -----------------------------------------------------------------------------
 
   void make_network() {
-    FlowDomains domains = flow_domains(specimen(), assembly_.geometry());
+    FlowDomains domains = flow_domains(specimen(), assembly_.geometry(), params_.channels.length);
     const Index injection = injection_domain(domains, specimen(), params_.injection.position);
     const Vec2 centre = domains.centre[injection];
     network_ = Network(std::move(domains), injection, aperture_.rest_width());
@@ -226,7 +226,7 @@ class Simulator {
 
   void stop_if_at_rim() const {
     if (Pressure::holds_fluid && network_.reached_rim())
-      throw RunStopped("the crack reached the rim of the specimen at t = " + in_words(time_) +
+      throw ReachedRim("the crack reached the rim of the specimen at t = " + in_words(time_) +
                        " s: the fluid would leave it there");
   }
 

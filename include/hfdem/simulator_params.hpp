@@ -6,6 +6,7 @@
 
 #include <hfdem/base/fields.hpp>
 #include <hfdem/mechanics/loading.hpp>
+#include <hfdem/setup/flow_domains.hpp>
 #include <hfdem/setup/preset_crack.hpp>
 #include <hfdem/state/fluid.hpp>
 #include <hfdem/state/specimen.hpp>
@@ -37,6 +38,7 @@ template <class Contact, class Aperture, class Pressure>
 struct SimulatorParams {
   typename Contact::Params contact{};    ///< of the contact law
   typename Aperture::Params aperture{};  ///< of the aperture law
+  FlowChannels channels{};               ///< of the fluid network
   Loading::Params boundary{};            ///< what holds the specimen
   Stress in_situ{};                      ///< before injection, and on the boundary during it
   PresetCrack crack{};                   ///< where the fluid enters
@@ -48,11 +50,11 @@ struct SimulatorParams {
   /// The table of these sections.
   static constexpr auto sections() {
     using P = SimulatorParams;
-    return std::tuple{Section{"contact", &P::contact},   Section{"aperture", &P::aperture},
-                      Section{"boundary", &P::boundary}, Section{"in_situ", &P::in_situ},
-                      Section{"crack", &P::crack},       Section{"injection", &P::injection},
-                      Section{"fluid", &P::fluid},       Section{"mechanics", &P::mechanics},
-                      Section{"scheme", &P::scheme}};
+    return std::tuple{Section{"contact", &P::contact},     Section{"aperture", &P::aperture},
+                      Section{"channels", &P::channels},   Section{"boundary", &P::boundary},
+                      Section{"in_situ", &P::in_situ},     Section{"crack", &P::crack},
+                      Section{"injection", &P::injection}, Section{"fluid", &P::fluid},
+                      Section{"mechanics", &P::mechanics}, Section{"scheme", &P::scheme}};
   }
 
   /// Checks every section.

@@ -40,9 +40,9 @@ namespace {
 using AllParams =
     std::tuple<LinearParallelBond::Params, HyperbolicAperture::Params, Dry::Params,
                HeldPressure::Params, UniformPressure::Params, Loading::Params, Mechanics, Stress,
-               PresetCrack, Injection, Fluid, SquareArray, RandomPacking, measure::SlitSeries,
-               measure::CircleGrid, analytic::KgdProblem, analytic::LatticeFracture,
-               analytic::OrthotropicPlane, analytic::ToughnessLaw>;
+               FlowChannels, PresetCrack, Injection, Fluid, SquareArray, RandomPacking,
+               measure::SlitSeries, measure::CircleGrid, analytic::KgdProblem,
+               analytic::LatticeFracture, analytic::OrthotropicPlane, analytic::ToughnessLaw>;
 
 /// Parameters in range: the defaults, but for descriptions of a rock, which have none.
 template <class P>

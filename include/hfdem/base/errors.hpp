@@ -1,5 +1,5 @@
 /// @file
-/// The two ways in which hfdem refuses.
+/// The ways in which hfdem refuses, or stops.
 #pragma once
 
 #include <stdexcept>
@@ -15,6 +15,12 @@ struct InvalidParameter : std::invalid_argument {
 /// message is a sentence for the user. The state up to here stays readable.
 struct RunStopped : std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+
+/// The crack has reached the rim of the specimen, where the fluid would leave it: for a specimen of
+/// finite size an end as good as any.
+struct ReachedRim : RunStopped {
+  using RunStopped::RunStopped;
 };
 
 }  // namespace hfdem

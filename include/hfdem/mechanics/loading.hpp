@@ -42,7 +42,8 @@ class Loading {
     }
   };
 
-  /// Free of stress until `set_stress`. Dead loads are shared out by the radii of the rim's discs.
+  /// Free of stress until `set_stress`. Dead loads are shared out by the radii of the rim's discs,
+  /// tilted so that their resultant acts in the middle of the side: an irregular rim would spin.
   Loading(const Params& params, const Specimen& specimen)
       : params_(params),
         width_(specimen.width),
@@ -51,11 +52,9 @@ class Loading {
     if (has_platens()) return;
     for (const Side side : all_sides) {
       auto& rim = rim_[static_cast<std::size_t>(side)];
-      double sum = 0;
       for (Index i = 0; i < specimen.size(); ++i)
-        if (specimen.touches(i, side))
-          rim.push_back({i, specimen.radius[i]}), sum += rim.back().share;
-      for (RimDisc& d : rim) d.share /= sum;
+        if (specimen.touches(i, side)) rim.push_back({i, specimen.radius[i]});
+      share_out(rim, specimen, side);
     }
   }
 
@@ -87,6 +86,13 @@ class Loading {
   /// The constant force on a disc of the rim, N per m; zero where platens hold the specimen.
   Vec2 dead_load(Index disc) const { return dead_load_[disc]; }
 
+  /// The discs that carry the dead loads of a side.
+  std::vector<Index> rim(Side side) const {
+    std::vector<Index> discs;
+    for (const RimDisc& d : rim_[static_cast<std::size_t>(side)]) discs.push_back(d.disc);
+    return discs;
+  }
+
   /// How far a platen's force is from its target, relative to it.
   double error(Side side, const Discs& discs, const ForceRows& forces) const {
     const double goal = target(side);
@@ -116,6 +122,26 @@ class Loading {
     Index disc;
     double share;  ///< of the side's force
   };
+
+  /// Makes shares of radii.
+  static void share_out(std::vector<RimDisc>& rim, const Specimen& specimen, Side side) {
+    const bool vertical = is_vertical(side);
+    const double middle = (vertical ? specimen.height : specimen.width) / 2;
+    const auto from_middle = [&](const RimDisc& d) {
+      return (vertical ? specimen.centre[d.disc].y : specimen.centre[d.disc].x) - middle;
+    };
+    double sum = 0, first = 0, second = 0;
+    for (const RimDisc& d : rim) {
+      sum += d.share;
+      first += d.share * from_middle(d);
+      second += d.share * from_middle(d) * from_middle(d);
+    }
+    const double mean = first / sum, variance = second / sum - mean * mean;
+    // What rounding makes of a symmetric rim must not disturb its symmetry.
+    const bool symmetric = std::abs(mean) < 1e-12 * middle;
+    const double tilt = symmetric ? 0 : -mean / variance;
+    for (RimDisc& d : rim) d.share *= (1 + tilt * (from_middle(d) - mean)) / sum;
+  }
 
   Params params_;
   double width_, height_;

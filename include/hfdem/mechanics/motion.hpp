@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <hfdem/base/pack.hpp>
@@ -30,6 +31,14 @@ class DiscMotion {
 
   double dt() const { return dt_; }  ///< mechanical time step, s
 
+  /// Leaves discs out of the largest resultant that `step` returns: a loose grain that carries a
+  /// dead load alone finds no equilibrium.
+  void leave_out(std::span<const Index> discs) {
+    if (discs.empty()) return;
+    counted_.resize(dt_over_inertia_.size(), true);
+    for (const Index i : discs) counted_[i] = false;
+  }
+
   /// Gathers all forces on each disc and moves it by one time step.
   /// @returns the largest resultant force on a disc before damping, N per m; not a finite number if
   ///   any resultant is not
@@ -41,7 +50,8 @@ class DiscMotion {
             const auto [x, y] = discs.load[i];
             const Pack force = forces.total(i) + Pack{x, y, 0, 0};
             const Pack square = force * force;
-            largest = max(largest, square + __builtin_shufflevector(square, square, 1, 0, 3, 2));
+            if (counted_.empty() || counted_[i])
+              largest = max(largest, square + __builtin_shufflevector(square, square, 1, 0, 3, 2));
             sum += square;
             move(discs, i, force);
           }
@@ -76,6 +86,7 @@ class DiscMotion {
 
   double dt_ = 0, damping_ = 0;
   std::vector<DtOverInertia> dt_over_inertia_;
+  std::vector<bool> counted_;  // empty if all are
   std::vector<double> largest_in_chunk_;
 };
 

@@ -4,12 +4,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
+#include <hfdem/base/fields.hpp>
 #include <hfdem/state/contact.hpp>
 #include <hfdem/state/network.hpp>
 #include <hfdem/state/specimen.hpp>
@@ -70,11 +74,30 @@ class HalfEdges {
 
 }  // namespace detail
 
+/// What counts as the length l_p of a channel: `FlowChannels` says what each is.
+enum class ChannelLength { centroids, bond };
+/// Their names in a parameter file.
+template <>
+inline constexpr auto names_of<ChannelLength> = std::to_array<std::string_view>({"centroids",
+                                                                                 "bond"});
+
+/// How the channels of the fluid network are measured.
+struct FlowChannels {
+  ChannelLength length = ChannelLength::centroids;
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"length", &FlowChannels::length, "", any_number,
+                            "l_p: centroids, the distance between the centres of the two domains "
+                            "that a channel joins; bond, the width of its bond"}};
+  }
+};
+
 /// Builds the fluid network of a bonded specimen.
-/// @param specimen gives the discs' centres
+/// @param specimen gives the discs' centres and radii
 /// @param contacts all bonded contacts between discs; channel c belongs to contact c.
-inline FlowDomains flow_domains(const Specimen& specimen,
-                                std::span<const ContactGeometry> contacts) {
+/// @param measured what counts as the length of a channel
+inline FlowDomains flow_domains(const Specimen& specimen, std::span<const ContactGeometry> contacts,
+                                ChannelLength measured = ChannelLength::centroids) {
   const detail::HalfEdges edges(specimen.size(), contacts);
   FlowDomains result;
   std::vector<Index> face(edges.size(), nothing);
@@ -114,7 +137,10 @@ inline FlowDomains flow_domains(const Specimen& specimen,
   for (Index c = 0; c < contacts.size(); ++c) {
     const Index left = face[2 * c], right = face[2 * c + 1];
     double length = 0;
-    if (left != nothing && right != nothing) {
+    if (measured == ChannelLength::bond) {
+      const auto [first, second] = contacts[c].bodies;
+      length = 2 * std::fmin(specimen.radius[first], specimen.radius[second]);
+    } else if (left != nothing && right != nothing) {
       length = norm(result.centre[left] - result.centre[right]);
     } else if (left != nothing || right != nothing) {  // on the rim: as if mirrored there
       const Vec2 point = specimen.centre[edges.origin(2 * c)] + edges.arm(2 * c);

@@ -1,0 +1,163 @@
+/// @file
+/// Everything that a run in intact rock writes.
+#pragma once
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <hfdem/observe/growth.hpp>
+#include <hfdem/observe/paraview.hpp>
+#include <hfdem/setup/specimen_file.hpp>
+
+#include "support/intact_report.hpp"
+#include "support/output_folder.hpp"
+#include "support/progress.hpp"
+
+namespace hfdem::support {
+
+/// An observer of the run: history and breaks as they come, the rest at the end. Whatever ends the
+/// run, what was written stays.
+class IntactResults {
+ public:
+  IntactResults(const OutputFolder& folder, const IntactConfig& config, const Manifest& manifest)
+      : folder_(folder),
+        config_(config),
+        manifest_(manifest),
+        history_file_(folder.open("history.csv")),
+        growth_(history_file_, config.run.output_interval, config.closing_stress()),
+        paraview_(folder.path() / "paraview", config.run.snapshot_interval) {}
+
+  /// Call once the specimen has settled.
+  void begin(const Rock& sim) {
+    save_specimen((folder_.path() / "specimen.txt").string(), sim.specimen());
+    paraview_.write(sim);
+    watch_ = Stopwatch();
+  }
+
+  void fluid_step(const Rock& sim, const FluidStep& step) {
+    growth_.fluid_step(sim, step);
+    paraview_.fluid_step(sim, step);
+    see_pressure(sim.injection_pressure());
+    outcome_.run.unconverged += step.converged ? 0 : 1;
+  }
+
+  void bond_break(const Rock&, const BondBreak& b) {
+    see_pressure(b.pressure);
+    if (std::isnan(outcome_.first_break)) outcome_.first_break = b.pressure;
+  }
+
+  void reached_rim(const Rock& sim) { outcome_.rim_time = sim.time(); }
+
+  /// @param stopped why the run ended before its time; empty if it did not
+  void finish(const Rock& sim, const std::string& stopped) {
+    outcome_.run.stopped = stopped;
+    outcome_.run.wall = watch_.seconds();
+    for (const BondBreak& b : sim.breaks()) see_pressure(b.pressure);  // the last ones, too
+    outcome_.end = observe::growth_instant(sim);
+    const auto microcracks = measure::microcracks(sim);
+    outcome_.crack = measure::crack_path(microcracks, measure::crack_origin(sim));
+    outcome_.count = measure::count(microcracks);
+    outcome_.moduli = moduli(sim);
+    outcome_.propagation =
+        growth_.mean_pressure(config_.readings.propagation_from, config_.readings.propagation_to);
+
+    paraview_.write(sim);
+    folder_.close(history_file_, "history.csv");
+    folder_.write("profile.csv", profile(microcracks));
+    std::ostringstream cracks;
+    observe::write_cracks(cracks, sim);
+    folder_.write("cracks.csv", cracks.str());
+    const IntactFigures figures(config_, sim, growth_.instants());
+    folder_.write("fracture.svg", svg(figures.fracture()));
+    folder_.write("aperture_map.svg", svg(figures.apertures()));
+    folder_.write("pressure_map.svg", svg(figures.net_pressures()));
+    folder_.write("stress.svg", svg(figures.stress()));
+    folder_.write("pressure.svg", svg(figures.pressure()));
+    folder_.write("tips.svg", svg(figures.tips()));
+    folder_.write("length.svg", svg(figures.length()));
+    folder_.write("aperture.svg", svg(figures.aperture()));
+    folder_.write("summary.json", summary(sim).json());
+    folder_.write("report.html", IntactReport(config_, manifest_).html(sim, outcome_, figures));
+  }
+
+  /// @param reason why the specimen could not even settle
+  void finish_unbegun(const std::string& reason) {
+    folder_.close(history_file_, "history.csv");
+    folder_.write("report.html", IntactReport(config_, manifest_).html(reason));
+  }
+
+  const IntactOutcome& outcome() const { return outcome_; }
+  const observe::Growth& growth() const { return growth_; }
+
+  /// The answer in a few lines for a terminal.
+  std::string text(const Rock& sim) const {
+    const auto& o = outcome_;
+    char text[800];
+    std::snprintf(text, sizeof text,
+                  "t = %.3f s%s\n"
+                  "breakdown        %8.2f MPa   (first break %.2f MPa)\n"
+                  "propagation      %8.2f MPa   (mean from %.2f to %.2f s)\n"
+                  "tips             %8.3f m apart, asymmetry %.2f\n"
+                  "microcracks      %8.3f m, of which %.3f m connected: tortuosity %.2f\n"
+                  "%ld fluid steps, %ld mechanical steps, %.1f s\n",
+                  o.end.time, o.rim_time ? ": the crack has reached the rim" : "",
+                  o.breakdown / 1e6, o.first_break / 1e6, o.propagation / 1e6,
+                  config_.readings.propagation_from, config_.readings.propagation_to,
+                  o.end.tip_distance, o.end.asymmetry, o.end.total_length, o.end.connected_length,
+                  o.end.tortuosity, sim.fluid_steps(), sim.mechanical_steps(), o.run.wall);
+    return text;
+  }
+
+ private:
+  void see_pressure(double pressure) {
+    outcome_.breakdown = std::fmax(outcome_.breakdown, pressure);
+  }
+
+  static measure::ElasticModuli moduli(const Rock& sim) {
+    try {
+      return measure::elastic_moduli<Rock::ContactPolicy, Rock::NeighbourPolicy>(
+          sim.specimen(), sim.params().contact, {0, 0}, sim.params().mechanics);
+    } catch (const RunStopped&) {
+      return {NAN, NAN};
+    }
+  }
+
+  std::string profile(const std::vector<measure::Microcrack>& microcracks) const {
+    std::ostringstream out;
+    out << "along_path_m,along_crack_m,x_m,y_m,length_m,aperture_m,opening_m,net_pressure_Pa\n";
+    for (const auto& p :
+         measure::path_profile(microcracks, outcome_.crack, config_.closing_stress()))
+      observe::write_row(out, {p.arc, p.along, p.position.x, p.position.y, p.length, p.aperture,
+                               p.opening, p.net_pressure});
+    return out.str();
+  }
+
+  Summary summary(const Rock& sim) const {
+    Summary s;
+    summarise(s, config_, sim, outcome_, growth_);
+    s.set("threads", manifest_.threads);
+    const auto kgd = paper_kgd(config_, outcome_.end.time);
+    s.set("kgd/E_prime_Pa", paper::Intact::E_prime);
+    s.set("kgd/K_IC_Pa_sqrt_m", paper::Intact::K_IC);
+    s.compare("kgd/full_length_m", outcome_.end.tip_distance, kgd.full_length());
+    s.compare("kgd/aperture_at_injection_m", outcome_.end.aperture, kgd.width);
+    s.compare("kgd/net_pressure_Pa", outcome_.end.pressure - config_.closing_stress(),
+              kgd.net_pressure);
+    if (config_.is_paper_case_S1())
+      s.compare("paper/breakdown_pressure_Pa", outcome_.breakdown, paper::Intact::breakdown_S1);
+    return s;
+  }
+
+  const OutputFolder& folder_;
+  const IntactConfig& config_;
+  const Manifest& manifest_;
+  std::ofstream history_file_;
+  observe::Growth growth_;
+  observe::ParaView paraview_;
+  IntactOutcome outcome_;
+  Stopwatch watch_;
+};
+
+}  // namespace hfdem::support
