@@ -7,12 +7,15 @@
 // open out/intact/report.html. `--quick` runs a tenth of the area in some seconds; `--seed` takes
 // another rock; `--help` lists the options.
 #include <cstdio>
+#include <memory>
 #include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "support/command_line.hpp"
 #include "support/intact_results.hpp"
+#include "support/intact_seeds.hpp"
 #include "support/manifest.hpp"
 #include "support/polite_threads.hpp"
 #include "support/progress.hpp"
@@ -22,33 +25,54 @@ using namespace hfdem::support;
 
 namespace {
 
-int run(const CommandLine& options, const IntactConfig& config, const std::string& specimen_file,
-        const Manifest& manifest) {
-  const Specimen specimen = specimen_file.empty() ? random_packing(config.specimen, options.threads)
-                                                  : load_specimen(specimen_file);
-  const OutputFolder folder(options.out);
+/// One rock. The results stay readable; what ended the run early is said in their outcome.
+std::unique_ptr<IntactResults> run(const OutputFolder& folder, const IntactConfig& config,
+                                   const Specimen& specimen, const CommandLine& options,
+                                   const Manifest& manifest) {
   folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.txt",
                   "fracture.svg", "aperture_map.svg", "pressure_map.svg", "stress.svg",
                   "pressure.svg", "tips.svg", "length.svg", "aperture.svg"});
   folder.write("config.toml", to_toml(config));
-  IntactResults results(folder, config, manifest);
+  auto results = std::make_unique<IntactResults>(folder, config, manifest);
   std::optional<Rock> sim;
-  std::string stopped;
-  try {
-    sim.emplace(specimen, config.simulator);
-    sim->use_threads(options.threads);
-    results.begin(*sim);
-    sim->run_until(config.run.end_time, results, Progress(config.run.end_time, options.quiet));
-  } catch (const ReachedRim&) {
-    results.reached_rim(*sim);
-  } catch (const RunStopped& reason) {
-    stopped = reason.what();
-  }
-  sim ? results.finish(*sim, stopped) : results.finish_unbegun(stopped);
-  if (!stopped.empty()) std::fprintf(stderr, "intact: the run stopped: %s\n", stopped.c_str());
-  if (!options.quiet && sim) std::printf("%s", results.text(*sim).c_str());
+  const RunEnd end = run_to_the_end(
+      sim, specimen, config, options.threads, [&] { results->begin(*sim); }, *results,
+      Progress(config.run.end_time, options.quiet));
+  sim ? results->finish(*sim, end) : results->finish_unbegun(end.stopped);
+  if (!end.stopped.empty())
+    std::fprintf(stderr, "intact: the run stopped: %s\n", end.stopped.c_str());
+  if (!options.quiet && sim) std::printf("%s", results->text(*sim).c_str());
+  return results;
+}
+
+int run_one(const CommandLine& options, const IntactConfig& config, const Specimen& specimen,
+            const Manifest& manifest) {
+  const OutputFolder folder(options.out);
+  const auto results = run(folder, config, specimen, options, manifest);
   if (!options.quiet) std::printf("Open this in a browser: %s/report.html\n", options.out.c_str());
-  return stopped.empty() ? success : run_stopped;
+  return results->stopped() ? run_stopped : success;
+}
+
+int run_seeds(const CommandLine& options, IntactConfig config, int seeds,
+              const Manifest& manifest) {
+  const OutputFolder folder(options.out);
+  folder.discard(IntactSeeds::files);
+  folder.write("config.toml", to_toml(config));
+  IntactSeeds all(config, manifest);
+  const int first = config.specimen.seed;
+  for (int seed = first; seed < first + seeds; ++seed) {
+    config.specimen.seed = seed;
+    if (!options.quiet) std::printf("seed %d (%d of %d)\n", seed, seed - first + 1, seeds);
+    const OutputFolder of_seed(options.out + "/seed_" + std::to_string(seed));
+    const auto results =
+        run(of_seed, config, random_packing(config.specimen, options.threads), options, manifest);
+    all.add(seed, *results);
+  }
+  all.write(folder);
+  if (!options.quiet)
+    std::printf("%sOpen this in a browser: %s/report.html\n", all.text().c_str(),
+                options.out.c_str());
+  return success;
 }
 
 }  // namespace
@@ -59,14 +83,19 @@ int main(int argc, char** argv) {
   options.add_to(app);
   std::string which, preset, specimen;
   std::optional<int> seed;
+  int seeds = 1;
   app.add_option("--case", which, "a case of the paper's Table 4 (default 2-S1)")
       ->check(CLI::IsMember(IntactConfig::cases));
   app.add_option("--preset", preset,
                  "paper: choices found by trial that land on the numbers that the paper prints")
       ->check(CLI::IsMember({"paper"}));
   app.add_option("--seed", seed, "of the random specimen: every seed is another rock");
+  app.add_option("--seeds", seeds, "how many rocks, from --seed on: means and 95 % intervals")
+      ->check(CLI::Range(1, 10000));
   app.add_option("--specimen", specimen, "file with the discs, instead of a random specimen")
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingFile)
+      ->excludes("--seeds")
+      ->excludes("--seed");
   return guarded("intact", app, [&] {
     app.parse(argc, argv);
     let_waiting_threads_sleep(options.threads, argv);
@@ -77,8 +106,13 @@ int main(int argc, char** argv) {
     if (seed) config.specimen.seed = *seed;
     options.configure(config);
     config.simulator.scheme = config.simulator.scheme.resolved();
-    return run(
-        options, config, specimen,
-        manifest("intact", argc, argv, options.threads, std::to_string(config.specimen.seed)));
+    const Manifest made = manifest("intact", argc, argv, options.threads,
+                                   specimen.empty() ? std::to_string(config.specimen.seed)
+                                                    : "none: the specimen is from a file");
+    if (seeds > 1) return run_seeds(options, config, seeds, made);
+    return run_one(options, config,
+                   specimen.empty() ? random_packing(config.specimen, options.threads)
+                                    : load_specimen(specimen),
+                   made);
   });
 }

@@ -20,13 +20,13 @@ namespace hfdem::support {
 
 /// SI; what a run did not come to is not a number.
 struct IntactOutcome {
-  observe::GrowthInstant end;       ///< the last fluid step, or the moment the rim was reached
-  measure::CrackPath crack;         ///< at the end
-  measure::MicrocrackCounts count;  ///< at the end
+  observe::GrowthInstant end{};       ///< the last fluid step, or the moment the rim was reached
+  measure::CrackPath crack{};         ///< at the end
+  measure::MicrocrackCounts count{};  ///< at the end
   double first_break = NAN, breakdown = 0, propagation = NAN;  ///< pressures
-  std::optional<double> rim_time;                              ///< if the crack reached the rim
+  std::optional<double> rim_time{};                            ///< if the crack reached the rim
   measure::ElasticModuli moduli{NAN, NAN};
-  RunRecord run;
+  RunRecord run{};
 };
 
 inline void summarise(Summary& s, const IntactConfig& config, const Rock& sim,

@@ -11,6 +11,7 @@
 #include <hfdem/observe/paraview.hpp>
 #include <hfdem/setup/specimen_file.hpp>
 
+#include "support/intact_recorder.hpp"
 #include "support/intact_report.hpp"
 #include "support/output_folder.hpp"
 #include "support/progress.hpp"
@@ -26,50 +27,32 @@ class IntactResults {
         config_(config),
         manifest_(manifest),
         history_file_(folder.open("history.csv")),
-        growth_(history_file_, config.run.output_interval, config.closing_stress()),
+        recorder_(config, history_file_),
         paraview_(folder.path() / "paraview", config.run.snapshot_interval) {}
 
   /// Call once the specimen has settled.
   void begin(const Rock& sim) {
     save_specimen((folder_.path() / "specimen.txt").string(), sim.specimen());
     paraview_.write(sim);
-    watch_ = Stopwatch();
+    recorder_.begin();
   }
 
   void fluid_step(const Rock& sim, const FluidStep& step) {
-    growth_.fluid_step(sim, step);
+    recorder_.fluid_step(sim, step);
     paraview_.fluid_step(sim, step);
-    see_pressure(sim.injection_pressure());
-    outcome_.run.unconverged += step.converged ? 0 : 1;
   }
 
-  void bond_break(const Rock&, const BondBreak& b) {
-    see_pressure(b.pressure);
-    if (std::isnan(outcome_.first_break)) outcome_.first_break = b.pressure;
-  }
-
-  void reached_rim(const Rock& sim) { outcome_.rim_time = sim.time(); }
-
-  /// @param stopped why the run ended before its time; empty if it did not
-  void finish(const Rock& sim, const std::string& stopped) {
-    outcome_.run.stopped = stopped;
-    outcome_.run.wall = watch_.seconds();
-    for (const BondBreak& b : sim.breaks()) see_pressure(b.pressure);  // the last ones, too
-    outcome_.end = observe::growth_instant(sim);
-    const auto microcracks = measure::microcracks(sim);
-    outcome_.crack = measure::crack_path(microcracks, measure::crack_origin(sim));
-    outcome_.count = measure::count(microcracks);
+  /// @param how the run ended
+  void finish(const Rock& sim, const RunEnd& how) {
+    outcome_ = recorder_.outcome(sim, how);
     outcome_.moduli = moduli(sim);
-    outcome_.propagation =
-        growth_.mean_pressure(config_.readings.propagation_from, config_.readings.propagation_to);
-
     paraview_.write(sim);
     folder_.close(history_file_, "history.csv");
-    folder_.write("profile.csv", profile(microcracks));
+    folder_.write("profile.csv", profile(sim));
     std::ostringstream cracks;
     observe::write_cracks(cracks, sim);
     folder_.write("cracks.csv", cracks.str());
-    const IntactFigures figures(config_, sim, growth_.instants());
+    const IntactFigures figures(config_, sim, growth().instants());
     folder_.write("fracture.svg", svg(figures.fracture()));
     folder_.write("aperture_map.svg", svg(figures.apertures()));
     folder_.write("pressure_map.svg", svg(figures.net_pressures()));
@@ -84,12 +67,14 @@ class IntactResults {
 
   /// @param reason why the specimen could not even settle
   void finish_unbegun(const std::string& reason) {
+    outcome_.run.stopped = reason;
     folder_.close(history_file_, "history.csv");
     folder_.write("report.html", IntactReport(config_, manifest_).html(reason));
   }
 
+  bool stopped() const { return !outcome_.run.stopped.empty(); }
   const IntactOutcome& outcome() const { return outcome_; }
-  const observe::Growth& growth() const { return growth_; }
+  const observe::Growth& growth() const { return recorder_.growth(); }
 
   /// The answer in a few lines for a terminal.
   std::string text(const Rock& sim) const {
@@ -111,10 +96,6 @@ class IntactResults {
   }
 
  private:
-  void see_pressure(double pressure) {
-    outcome_.breakdown = std::fmax(outcome_.breakdown, pressure);
-  }
-
   static measure::ElasticModuli moduli(const Rock& sim) {
     try {
       return measure::elastic_moduli<Rock::ContactPolicy, Rock::NeighbourPolicy>(
@@ -124,7 +105,8 @@ class IntactResults {
     }
   }
 
-  std::string profile(const std::vector<measure::Microcrack>& microcracks) const {
+  std::string profile(const Rock& sim) const {
+    const auto microcracks = measure::microcracks(sim);
     std::ostringstream out;
     out << "along_path_m,along_crack_m,x_m,y_m,length_m,aperture_m,opening_m,net_pressure_Pa\n";
     for (const auto& p :
@@ -136,7 +118,7 @@ class IntactResults {
 
   Summary summary(const Rock& sim) const {
     Summary s;
-    summarise(s, config_, sim, outcome_, growth_);
+    summarise(s, config_, sim, outcome_, growth());
     s.set("threads", manifest_.threads);
     const auto kgd = paper_kgd(config_, outcome_.end.time);
     s.set("kgd/E_prime_Pa", paper::Intact::E_prime);
@@ -154,10 +136,9 @@ class IntactResults {
   const IntactConfig& config_;
   const Manifest& manifest_;
   std::ofstream history_file_;
-  observe::Growth growth_;
+  IntactRecorder recorder_;
   observe::ParaView paraview_;
   IntactOutcome outcome_;
-  Stopwatch watch_;
 };
 
 }  // namespace hfdem::support

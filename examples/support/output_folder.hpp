@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <span>
 #include <string>
 
 #include <hfdem/observe/whole_file.hpp>
@@ -34,9 +35,13 @@ class OutputFolder {
 
   /// Removes what an earlier run left and this one writes at its end: if it does not come to that,
   /// the old answer must not stand beside the new parameters.
-  void discard(std::initializer_list<const char*> names) const {
+  void discard(std::span<const char* const> names) const {
     std::error_code ignored;
     for (const char* name : names) std::filesystem::remove(path_ / name, ignored);
+  }
+
+  void discard(std::initializer_list<const char*> names) const {
+    discard(std::span(names.begin(), names.size()));
   }
 
   /// @throws OutputFailed if anything written to the file was lost

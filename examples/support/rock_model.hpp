@@ -38,7 +38,7 @@ struct Readings {
 
 /// The parameter file's sections; the defaults are case 2-S1.
 struct IntactConfig : SectionTree<IntactConfig> {
-  RandomPacking specimen;
+  RandomPacking specimen{.grains = 17511};
   Rock::Params simulator{.crack = {.length = 0.032},
                          .scheme = {.fluid_dt = 1e-3,
                                     .equilibrium = true,
@@ -66,6 +66,7 @@ struct IntactConfig : SectionTree<IntactConfig> {
   /// A tenth of the area, until the crack is as long for its size.
   void shrink() {
     specimen.width = specimen.height = 0.32;
+    specimen.grains = 1800;
     run.end_time = 0.15;
     readings = {.propagation_from = 0.05, .propagation_to = 0.15};
   }

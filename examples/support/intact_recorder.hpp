@@ -1,0 +1,87 @@
+/// @file
+/// What is read from a run in intact rock while it goes on.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <string>
+
+#include <hfdem/observe/growth.hpp>
+
+#include "support/intact_outcome.hpp"
+#include "support/progress.hpp"
+
+namespace hfdem::support {
+
+/// How a run ended.
+struct RunEnd {
+  std::string stopped{};  ///< why before its time; empty if it did not
+  bool at_rim = false;    ///< because the crack reached the rim: no failure
+};
+
+/// Makes and drives a simulator until its end time, or until the crack reaches the rim.
+/// @param sim empty; left empty if the specimen could not even settle
+/// @param begin called with the settled simulator
+template <class Sim, class Begin, class... Observers>
+RunEnd run_to_the_end(std::optional<Sim>& sim, const Specimen& specimen, const IntactConfig& config,
+                      int threads, Begin&& begin, Observers&&... observers) {
+  try {
+    sim.emplace(specimen, config.simulator);
+    sim->use_threads(threads);
+    begin();
+    sim->run_until(config.run.end_time, observers...);
+  } catch (const ReachedRim&) {
+    return {.at_rim = true};
+  } catch (const RunStopped& reason) {
+    return {.stopped = reason.what()};
+  }
+  return {};
+}
+
+/// An observer of a run.
+class IntactRecorder {
+ public:
+  /// @param history written row by row; must outlive the recorder
+  IntactRecorder(const IntactConfig& config, std::ostream& history)
+      : config_(config), growth_(history, config.run.output_interval, config.closing_stress()) {}
+
+  /// Call once the specimen has settled.
+  void begin() { watch_ = Stopwatch(); }
+
+  template <class Sim>
+  void fluid_step(const Sim& sim, const FluidStep& step) {
+    growth_.fluid_step(sim, step);
+    peak_pressure_ = std::fmax(peak_pressure_, sim.injection_pressure());
+    unconverged_ += step.converged ? 0 : 1;
+  }
+
+  /// @param how the run ended
+  template <class Sim>
+  IntactOutcome outcome(const Sim& sim, const RunEnd& how) const {
+    const auto microcracks = measure::microcracks(sim);
+    IntactOutcome o{.end = observe::growth_instant(sim),
+                    .crack = measure::crack_path(microcracks, measure::crack_origin(sim)),
+                    .count = measure::count(microcracks),
+                    .first_break = sim.breaks().empty() ? NAN : sim.breaks().front().pressure,
+                    .breakdown = peak_pressure_,
+                    .propagation = growth_.mean_pressure(config_.readings.propagation_from,
+                                                         config_.readings.propagation_to),
+                    .run = {how.stopped, unconverged_, watch_.seconds()}};
+    // A break within a fluid step may see more pressure than its end.
+    for (const BondBreak& b : sim.breaks()) o.breakdown = std::fmax(o.breakdown, b.pressure);
+    if (how.at_rim) o.rim_time = sim.time();
+    return o;
+  }
+
+  const observe::Growth& growth() const { return growth_; }
+
+ private:
+  const IntactConfig& config_;
+  observe::Growth growth_;
+  double peak_pressure_ = 0;
+  long unconverged_ = 0;
+  Stopwatch watch_;
+};
+
+}  // namespace hfdem::support

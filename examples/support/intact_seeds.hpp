@@ -1,0 +1,253 @@
+/// @file
+/// Several rocks of one kind: means over seeds, how well they are known, and all runs in one
+/// figure.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <hfdem/measure/sample_mean.hpp>
+
+#include "support/intact_results.hpp"
+
+namespace hfdem::support {
+
+/// A number that is read from every run.
+struct RockReading {
+  std::string key, name, unit;  ///< in summary.json; in words; SI
+  std::function<double(const IntactOutcome&, const observe::Growth&)> read;
+  double paper = NAN;  ///< of case 2-S1
+};
+
+/// At a time, if the crack was still inside the specimen then.
+template <class F>
+auto inside_at(double time, F&& value) {
+  return [time, value](const IntactOutcome& o, const observe::Growth& growth) {
+    return o.end.time * (1 + 1e-9) < time ? NAN : value(*growth.at(time));
+  };
+}
+
+/// What is read of every run; not a number where a run has none.
+inline std::vector<RockReading> rock_readings() {
+  using paper::Intact;
+  std::vector<RockReading> all{
+      {"first_break_pressure_Pa", "first break", "Pa",
+       [](const auto& o, const auto&) { return o.first_break; }},
+      {"breakdown_pressure_Pa", "breakdown", "Pa",
+       [](const auto& o, const auto&) { return o.breakdown; }, Intact::breakdown_S1},
+      {"propagation_pressure_Pa", "propagation", "Pa",
+       [](const auto& o, const auto&) { return o.propagation; }},
+      {"reached_rim_at_s", "reached the rim", "s",
+       [](const auto& o, const auto&) { return o.rim_time.value_or(NAN); }}};
+  for (const double time : {0.3, 0.6, 0.9, 1.5}) {
+    const bool published = time == Intact::time;
+    const std::string at = to_text(time) + "_s/", when = " at " + to_text(time) + " s";
+    const auto add = [&](const std::string& key, const std::string& name, const std::string& unit,
+                         double observe::GrowthInstant::*value, double paper) {
+      all.push_back({at + key, name + when, unit,
+                     inside_at(time, [value](const auto& i) { return i.*value; }),
+                     published ? paper : NAN});
+    };
+    using observe::GrowthInstant;
+    add("tip_distance_m", "tips", "m", &GrowthInstant::tip_distance, Intact::tip_distance);
+    add("total_length_m", "microcracks", "m", &GrowthInstant::total_length, Intact::total_length);
+    add("tortuosity", "tortuosity", "", &GrowthInstant::tortuosity, Intact::tortuosity);
+    add("mean_aperture_m", "aperture", "m", &GrowthInstant::aperture, Intact::aperture);
+  }
+  return all;
+}
+
+/// Gathers runs, then writes what they have in common.
+class IntactSeeds {
+ public:
+  static constexpr std::array files{"report.html", "summary.json", "seeds.csv", "pressure.svg",
+                                    "length.svg"};
+
+  IntactSeeds(const IntactConfig& config, const Manifest& manifest)
+      : config_(config), manifest_(manifest) {}
+
+  void add(int seed, const IntactResults& run) {
+    if (run.stopped()) {
+      stopped_.push_back(seed);
+      return;
+    }
+    runs_.push_back({seed, run.outcome(), run.growth().instants(), {}});
+    for (const RockReading& r : readings_)
+      runs_.back().values.push_back(r.read(run.outcome(), run.growth()));
+  }
+
+  void write(const OutputFolder& folder) const {
+    folder.write("seeds.csv", table());
+    folder.write("pressure.svg", svg(pressure()));
+    folder.write("length.svg", svg(length()));
+    folder.write("summary.json", summary().json());
+    folder.write("report.html", report());
+  }
+
+  /// The means in a few lines for a terminal.
+  std::string text() const {
+    std::string lines;
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const auto values = of(k);
+      if (values.empty()) continue;
+      const auto mean = measure::SampleMean::of(values);
+      const double factor = readings_[k].unit == "Pa" ? 1e6 : 1;
+      const bool microns = readings_[k].key.find("aperture") != std::string::npos;
+      char line[160];
+      std::snprintf(line, sizeof line,
+                    "%-24s %8.3f +- %-7.3f %-4s (%zu of %zu rocks, median %.3f)\n",
+                    readings_[k].name.c_str(), mean.mean * (microns ? 1e6 : 1 / factor),
+                    mean.ci95 * (microns ? 1e6 : 1 / factor),
+                    microns      ? "um"
+                    : factor > 1 ? "MPa"
+                                 : readings_[k].unit.c_str(),
+                    values.size(), runs_.size(), median(values) * (microns ? 1e6 : 1 / factor));
+      lines += line;
+    }
+    return lines + "mean over the rocks whose crack is still inside, and its 95 % interval\n";
+  }
+
+ private:
+  struct Run {
+    int seed;
+    IntactOutcome outcome;
+    std::vector<observe::GrowthInstant> history;
+    std::vector<double> values;  ///< one per reading
+  };
+
+  /// The values that the runs have for one reading.
+  std::vector<double> of(std::size_t reading) const {
+    std::vector<double> values;
+    for (const Run& r : runs_)
+      if (std::isfinite(r.values[reading])) values.push_back(r.values[reading]);
+    return values;
+  }
+
+  static double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+  }
+
+  std::string table() const {
+    std::string text = "seed";
+    for (const RockReading& r : readings_) text += ',' + r.key;
+    for (const Run& run : runs_) {
+      text += '\n' + std::to_string(run.seed);
+      for (const double v : run.values) text += ',' + (std::isfinite(v) ? to_text(v) : "");
+    }
+    return text + '\n';
+  }
+
+  Summary summary() const {
+    Summary s;
+    s.set("rocks", static_cast<long>(runs_.size()));
+    s.set("first_seed", config_.specimen.seed);
+    s.set("stopped", static_cast<long>(stopped_.size()));
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const auto values = of(k);
+      if (values.empty()) continue;
+      const auto mean = measure::SampleMean::of(values);
+      const std::string& key = readings_[k].key;
+      s.set(key, mean.mean);
+      s.set(key + "_ci95", mean.ci95);
+      s.set(key + "_median", median(values));
+      s.set(key + "_count", static_cast<long>(values.size()));
+      if (config_.is_paper_case_S1() && std::isfinite(readings_[k].paper))
+        s.compare("paper/" + key, mean.mean, readings_[k].paper);
+    }
+    return s;
+  }
+
+  template <class F>
+  observe::Chart bundle(const std::string& title, const std::string& y_label, F&& value) const {
+    observe::Chart chart{.title = title,
+                         .x_label = "injection time (s)",
+                         .y_label = y_label,
+                         .caption = "One line for each of " + std::to_string(runs_.size()) +
+                                    " rocks; each ends where its crack reaches the rim.",
+                         .conditions = conditions()};
+    for (const Run& run : runs_) {
+      observe::Series s{.colour = observe::okabe_ito::blue};
+      for (const auto& i : run.history) s.x.push_back(i.time), s.y.push_back(value(i));
+      chart.series.push_back(std::move(s));
+    }
+    return chart;
+  }
+  observe::Chart pressure() const {
+    return bundle("Injection pressure", "pressure (MPa)",
+                  [](const auto& i) { return i.pressure / 1e6; });
+  }
+  observe::Chart length() const {
+    auto chart = bundle("Distance between the tips", "distance (m)",
+                        [](const auto& i) { return i.tip_distance; });
+    if (config_.is_paper_case_S1())
+      chart.points = {{"paper", paper::Intact::time, paper::Intact::tip_distance}};
+    return chart;
+  }
+
+  std::string conditions() const {
+    return described(config_, config_.specimen.grains.value_or(0)) + " Seeds " +
+           std::to_string(config_.specimen.seed) + " to " +
+           std::to_string(runs_.empty() ? config_.specimen.seed : runs_.back().seed) + ".";
+  }
+
+  std::string report() const {
+    observe::Report page;
+    page.title = std::to_string(runs_.size()) + " rocks, one crack in each";
+    page.lead = "Every seed is another specimen of the same rock: " + conditions();
+    page.program = "hfdem " + manifest_.version + ", program " + manifest_.program;
+    page.figure(length());
+    page.figure(pressure());
+    page.section("Means");
+    const bool paper = config_.is_paper_case_S1();
+    observe::Table means{.caption =
+                             "With the 95 % interval of Student's t, over the rocks whose "
+                             "crack is still inside the specimen.",
+                         .header = {"", "mean", "95 %", "median", "rocks"}};
+    if (paper) means.header.push_back("paper");
+    for (std::size_t k = 0; k < readings_.size(); ++k) {
+      const auto values = of(k);
+      if (values.empty()) continue;
+      const auto mean = measure::SampleMean::of(values);
+      const auto words = [&](double v) { return rounded(v, readings_[k].unit); };
+      means.rows.push_back({readings_[k].name, words(mean.mean), "± " + words(mean.ci95),
+                            words(median(values)), std::to_string(values.size())});
+      if (paper) means.rows.back().push_back(words(readings_[k].paper));
+    }
+    page.table(means);
+    for (const int seed : stopped_)
+      page.text("The run of seed " + std::to_string(seed) + " stopped: see its own report.");
+    page.section("Files");
+    std::vector<observe::File> beside{
+        {"seeds.csv", "every reading of every rock"},
+        {"summary.json", "the means with their intervals"},
+        {"config.toml", "every parameter; repeats the runs with --config and --seeds"}};
+    for (const Run& run : runs_)
+      files.push_back(
+          {"seed_" + std::to_string(run.seed) + "/report.html", "one rock's own report"});
+    page.files(beside);
+    add_manifest(page, manifest_);
+    return page.html();
+  }
+
+  /// Three digits, in a unit of everyday size.
+  static std::string rounded(double value, const std::string& unit) {
+    if (!std::isfinite(value)) return "–";
+    if (unit == "Pa") return observe::fixed(value / 1e6, 2, "MPa");
+    if (unit == "m" && value < 1e-3) return observe::fixed(value * 1e6, 1, "µm");
+    return unit.empty() ? observe::fixed(value, 2) : observe::fixed(value, 3, unit);
+  }
+
+  const IntactConfig config_;
+  const Manifest& manifest_;
+  std::vector<RockReading> readings_ = rock_readings();
+  std::vector<Run> runs_;
+  std::vector<int> stopped_;
+};
+
+}  // namespace hfdem::support
