@@ -287,3 +287,17 @@ TEST_CASE("a domain pushes a disc outwards by the chord between its two contact 
   CHECK(norm(push(1) - Vec2{1.6, -0.8}) < 1e-15);
   CHECK(norm(push(2) - Vec2{-0.6, 1.8}) < 1e-15);
 }
+
+TEST_CASE("channels may be as long as their bonds are wide") {
+  hfdem::Specimen s = hfdem::square_array(3, 2, 5e-3);
+  s.radius[1] = 4e-3;
+  s.bonding_gap = 1.1e-3;
+  const auto contacts = hfdem::bonded_contacts<hfdem::FixedPairs>(s);
+  const auto domains = hfdem::flow_domains(s, contacts, hfdem::ChannelLength::bond);
+  REQUIRE(contacts.size() == 7);
+  for (Index c = 0; c < contacts.size(); ++c) {
+    const auto [first, second] = contacts[c].bodies;
+    const bool thin = first == 1 || second == 1;
+    CHECK(domains.channels[c].length == near(thin ? 8e-3 : 10e-3));
+  }
+}

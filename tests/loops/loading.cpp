@@ -5,8 +5,10 @@
 
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/mechanics/uniform_strain.hpp>
+#include <hfdem/neighbours/cell_grid.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
+#include <hfdem/setup/random_packing.hpp>
 #include <hfdem/setup/square_array.hpp>
 #include <hfdem/simulator.hpp>
 
@@ -25,6 +27,7 @@ using hfdem::Vec2;
 using test::near;
 using Bond = hfdem::LinearParallelBond;
 using DryRock = hfdem::Simulator<Bond, hfdem::HyperbolicAperture, hfdem::Dry, hfdem::FixedPairs>;
+using Rock = hfdem::Simulator<Bond, hfdem::HyperbolicAperture, hfdem::Dry, hfdem::CellGrid>;
 using Slit =
     hfdem::Simulator<Bond, hfdem::HyperbolicAperture, hfdem::HeldPressure, hfdem::FixedPairs>;
 
@@ -54,19 +57,17 @@ TEST_CASE("the in-situ stress acts on the whole of each side") {
   CHECK(loading.target(Side::top) == near(S_yy * 0.3));
 }
 
-TEST_CASE("dead loads sum up to the force on each side, in shares of the radius") {
+TEST_CASE("dead loads sum up to the force on each side") {
   const auto specimen = irregular_specimen();
   hfdem::Loading loading({.kind = BoundaryKind::dead_loads}, specimen);
   loading.set_stress({1, 1});
   loading.set_stress({S_xx, S_yy});  // replaces, does not add
   Vec2 pushed_right, pushed_up, all;
-  double left_radii = 0;
   for (Index i = 0; i < specimen.size(); ++i) {
     const Vec2 load = loading.dead_load(i);
     all = all + load;
     if (load.x > 0) pushed_right = pushed_right + load;
     if (load.y > 0) pushed_up = pushed_up + load;
-    if (specimen.touches(i, Side::left)) left_radii += specimen.radius[i];
     if (load == Vec2{}) continue;
     CHECK((specimen.touches(i, Side::left) || specimen.touches(i, Side::right) ||
            specimen.touches(i, Side::bottom) || specimen.touches(i, Side::top)));
@@ -74,10 +75,67 @@ TEST_CASE("dead loads sum up to the force on each side, in shares of the radius"
   CHECK(pushed_right.x == near(S_xx * specimen.height));
   CHECK(pushed_up.y == near(S_yy * specimen.width));
   CHECK(norm(all) < 1e-12 * S_yy * specimen.width);
-  for (Index i = 0; i < specimen.size(); ++i)
-    if (specimen.touches(i, Side::left))
-      CHECK(loading.dead_load(i).x ==
-            near(S_xx * specimen.height * specimen.radius[i] / left_radii));
+}
+
+TEST_CASE("the dead loads of a side act in its middle, each by its radius and where it is") {
+  // Three discs on the left, with gaps between them: their mean height is not the middle.
+  hfdem::Specimen s{.width = 1, .height = 1, .density = 1, .bonding_gap = 1e-3};
+  s.centre = {{0.1, 0.1}, {0.1, 0.3}, {0.05, 0.8}, {0.5, 0.5}};
+  s.radius = {0.1, 0.1, 0.05, 0.1};
+  hfdem::Loading loading({.kind = BoundaryKind::dead_loads}, s);
+  loading.set_stress({S_xx, 0});
+  double force = 0, moment = 0;
+  for (Index i = 0; i < 3; ++i) {
+    force += loading.dead_load(i).x;
+    moment += loading.dead_load(i).x * s.centre[i].y;
+  }
+  CHECK(force == near(S_xx));
+  CHECK(moment == near(S_xx * 0.5));
+  // Per radius, they lie on a straight line.
+  const auto per_radius = [&](Index i) { return loading.dead_load(i).x / s.radius[i]; };
+  CHECK((per_radius(1) - per_radius(0)) / 0.2 == near((per_radius(2) - per_radius(1)) / 0.5));
+  CHECK(per_radius(2) > 1.5 * per_radius(0));
+  CHECK(loading.dead_load(3) == Vec2{});
+}
+
+TEST_CASE("dead loads on a symmetric rim are shares of the radius, to the last bit") {
+  hfdem::Loading loading({.kind = BoundaryKind::dead_loads}, hfdem::square_array(7, 5, 5e-3));
+  loading.set_stress({S_xx, S_yy});
+  for (Index row = 0; row < 5; ++row)
+    CHECK(test::bits(loading.dead_load(row * 7).x) == test::bits(loading.dead_load(0).x));
+}
+
+TEST_CASE("a random specimen under dead loads settles and does not turn") {
+  const Rock sim(hfdem::random_packing({.width = 0.1, .height = 0.14}),
+                 {.boundary = {.kind = BoundaryKind::dead_loads},
+                  .in_situ = {S_xx, S_yy},
+                  .crack = {.contacts = 0}});
+  double turn = 0, shortening = 0;
+  const Vec2 middle{sim.specimen().width / 2, sim.specimen().height / 2};
+  for (Index i = 0; i < sim.discs().size(); ++i) {
+    const Vec2 arm = sim.discs().centre[i] - middle;
+    const Vec2 moved{sim.discs().displacement[i][0], sim.discs().displacement[i][1]};
+    turn += cross(arm, moved);
+    shortening -= dot(arm, moved);
+  }
+  CHECK(shortening > 0);
+  CHECK(std::abs(turn) < 0.5 * shortening);
+}
+
+TEST_CASE("discs of the rim do not count as unbalanced under dead loads") {
+  // A disc that touches nothing but carries a dead load flies away; the others are at rest.
+  hfdem::Specimen s{.width = 1, .height = 1, .density = 1};
+  s.centre = {{0.1, 0.5}, {0.5, 0.5}};
+  s.radius = {0.1, 0.1};
+  hfdem::Discs discs(s);
+  discs.load = {{5, 0}, {0, 3}};
+  hfdem::ForceRows rows(2 + hfdem::all_sides.size());
+  rows.arrange();
+  hfdem::DiscMotion motion(discs, 1e-3, 0);
+  CHECK(motion.step(discs, rows, 1) == near(5));
+  const std::vector<Index> rim{0};
+  motion.leave_out(rim);
+  CHECK(motion.step(discs, rows, 1) == near(3));
 }
 
 TEST_CASE("with platens there are no dead loads") {
