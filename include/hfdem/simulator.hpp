@@ -52,9 +52,11 @@ class Simulator {
 
   // ---- verbs ----------------------------------------------------------------------------------
 
-  /// Makes one fluid step.
+  /// Makes one fluid step. An observer's member `mechanical_step(simulator)` is called in each of
+  /// its mechanical steps, before anything moves.
   /// @throws RunStopped when the run cannot go on; everything stays readable
-  FluidStep step() {
+  template <class... Observers>
+  FluidStep step(Observers&&... observers) {
     const double dt = pressure_.fluid_dt(assembly_.dt());
     const double injected = rate_ * dt;
     time_ += dt;
@@ -65,19 +67,20 @@ class Simulator {
       mean_contact_force_until_ = mechanical_steps_ + mean_contact_force_lifetime;
     }
     return pressure_.advance(network_, Injected{injected_, injected},
-                             [this] { return relax(false); });
+                             [&] { return relax(false, observers...); });
   }
 
   /// Steps until `end_time`, s. An observer is told after every fluid step through
   /// `observer(simulator)` or, where it has one, its member `fluid_step(simulator, FluidStep)`;
-  /// an answer of false ends the run. A member `bond_break(simulator, BondBreak)` hears of breaks.
+  /// an answer of false ends the run. A member `bond_break(simulator, BondBreak)` hears of breaks,
+  /// and `mechanical_step(simulator)` of mechanical steps.
   /// @returns whether the end time was reached
   /// @throws RunStopped when the run cannot go on
   template <class... Observers>
   bool run_until(double end_time, Observers&&... observers) {
     while (time_ + 1e-6 * pressure_.fluid_dt(assembly_.dt()) < end_time) {
       const std::size_t told = breaks_.size();
-      [[maybe_unused]] const FluidStep result = step();
+      [[maybe_unused]] const FluidStep result = step(observers...);
       for (std::size_t b = told; b < breaks_.size(); ++b)
         (tell_bond_break(observers, *this, breaks_[b]), ...);
       bool go_on = true;
@@ -193,7 +196,8 @@ class Simulator {
 
   // ---- one mechanical step --------------------------------------------------------------------
 
-  Relaxed relax(bool settling) {
+  template <class... Observers>
+  Relaxed relax(bool settling, Observers&... observers) {
     const std::size_t broken_before = breaks_.size();
     assembly_.find_forces(threads_, [&](Index contact, Mode mode) {
       breaks_.push_back({time_, contact, mode, injection_pressure()});
@@ -202,6 +206,7 @@ class Simulator {
     const std::size_t broken = breaks_.size() - broken_before;
     if (broken > 0) stop_if_at_rim();
     for (const Index i : network_.pushed_discs()) push(i);
+    (tell_mechanical_step(observers, *this), ...);
     const double largest = assembly_.move(settling, threads_);
     stop_if_not_finite(largest);
     refresh_widths();

@@ -42,4 +42,12 @@ void tell_bond_break(Observer& observer, const Sim& sim, const BondBreak& broken
   if constexpr (requires { observer.bond_break(sim, broken); }) observer.bond_break(sim, broken);
 }
 
+/// In a mechanical step, once its forces and loads are known and before anything moves: calls
+/// `observer.mechanical_step(sim)` where it exists. Displacements and forces are those of the same
+/// instant, velocities those of half a step before.
+template <class Observer, class Sim>
+void tell_mechanical_step(Observer& observer, const Sim& sim) {
+  if constexpr (requires { observer.mechanical_step(sim); }) observer.mechanical_step(sim);
+}
+
 }  // namespace hfdem

@@ -135,6 +135,18 @@ class LinearParallelBond {
         .memory = {memory.shear_offset + (shear - elastic)}};
   }
 
+  /// What both parts store at this motion, J per m; slip has taken up `memory`.
+  template <class T>
+  T energy(const Stiffness<T>& k, const Memory<T>& memory, const Motion<T>& motion) const noexcept {
+    const T closing = max(T{}, -motion.opening);
+    const T shear_stiffness = k.normal * shear_per_normal_;
+    const T shear = memory.shear_offset - shear_stiffness * motion.shear;
+    const T bond =
+        motion.opening * motion.opening + bond_shear_per_normal_ * (motion.shear * motion.shear) +
+        (1.0 / 3.0) * (k.bond_radius * k.bond_radius) * motion.rotation * motion.rotation;
+    return 0.5 * (k.normal * (closing * closing) + shear * shear / shear_stiffness + k.bond * bond);
+  }
+
   /// Both criteria are multiplied by the area, the tensile one by Rb too: no division.
   template <class T>
   Failure<T> failure(const Stiffness<T>& k, const Response<T>& r) const noexcept {

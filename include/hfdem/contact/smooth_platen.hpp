@@ -41,6 +41,13 @@ class SmoothPlaten {
                       const Motion<T>& motion) const noexcept {
     return {max(T{}, -(k.normal * motion.opening)), {}};
   }
+
+  /// What the spring stores, J per m.
+  template <class T>
+  T energy(const Stiffness<T>& k, const Memory<T>&, const Motion<T>& motion) const noexcept {
+    const T closing = max(T{}, -motion.opening);
+    return 0.5 * (k.normal * (closing * closing));
+  }
 };
 
 }  // namespace hfdem

@@ -16,6 +16,16 @@
 
 namespace hfdem {
 
+/// Both torque lanes of a sum of force rows become the whole torque; the two force lanes stay.
+inline Pack with_whole_torque(const Pack& force) {
+  return force + __builtin_shufflevector(force, Pack{}, 4, 5, 3, 2);
+}
+
+/// What local damping takes from a resultant force, component by component: d |F| sign(v).
+inline Pack local_damping(double d, const Pack& force, const Pack& velocity) {
+  return d * abs(force) * sign(velocity);
+}
+
 /// The time stepping of the discs; platens are moved by `Loading`.
 class DiscMotion {
  public:
@@ -74,11 +84,9 @@ class DiscMotion {
   static constexpr std::size_t grain = 256;
 
   void move(Discs& discs, std::size_t i, const Pack& force) const {
-    // Both torque lanes become the whole torque; the two force lanes stay.
-    const Pack twin = __builtin_shufflevector(force, Pack{}, 4, 5, 3, 2);
-    const Pack pull = force + twin;
+    const Pack pull = with_whole_torque(force);
     Pack& velocity = discs.velocity[i];
-    const Pack damped = pull - damping_ * abs(pull) * sign(velocity);
+    const Pack damped = pull - local_damping(damping_, pull, velocity);
     const auto [translation, rotation] = dt_over_inertia_[i];
     velocity += damped * Pack{translation, translation, rotation, rotation};
     discs.displacement[i] += velocity * dt_;

@@ -102,6 +102,20 @@ template <class L>
 concept ContactLaw = has_described_params<L> && constructible_from_params<L> &&
     gives_stiffness_of_two_discs<L> && BreakableLaw<L>;
 
+/// `energy(stiffness, memory, motion)` gives what a contact stores, J per m.
+template <class L>
+concept gives_energy = requires(const L& law,
+                                const typename L::template Stiffness<double>& stiffness,
+                                const typename L::template Memory<double>& memory,
+                                const Motion<double>& motion) {
+  { law.energy(stiffness, memory, motion) }
+  noexcept->std::same_as<double>;
+};
+
+/// A law whose energy can be booked. Simulators need none; ledgers of energy do.
+template <class L>
+concept StoresEnergy = RespondingLaw<L> && gives_energy<L>;
+
 // ---- aperture law -----------------------------------------------------------------------------
 
 /// `rest_width()` gives the aperture at zero force, w0, m.
