@@ -47,25 +47,26 @@ struct EnergyEntries {
 };
 
 /// What a ledger has to know of one contact at one instant.
-template <class Memory>
+template <class Law>
 struct ContactInstant {
-  Motion<double> motion;  ///< since bonding
-  Memory memory;          ///< after that motion
-  double energy;          ///< that it stores, J per m
+  Motion<double> motion;                               ///< since bonding
+  typename Law::template Stiffness<double> stiffness;  ///< without the bond if it has broken
+  typename Law::template Memory<double> memory;        ///< after that motion
+  double energy;                                       ///< that it stores, J per m
 };
 
 /// What a ledger has to know of one instant: that of a mechanical step before anything moves.
 template <class Law>
 struct EnergyInstant {
-  long step = 0;                       ///< mechanical steps made before
-  std::size_t breaks = 0;              ///< bonds broken so far
-  double kinetic = 0;                  ///< kinetic energy, J per m
-  std::vector<Pack> place;             ///< displacements of discs and platens
-  std::vector<Pack> damped;            ///< per disc: what damping takes from the resultant
-  std::vector<Vec2> fluid;             ///< per disc: force of the fluid, N per m
-  std::array<Pack, 4> platen_force{};  ///< of the discs on each platen
-  std::vector<ContactInstant<typename Law::template Memory<double>>> contacts;  ///< between discs
-  std::vector<ContactInstant<SmoothPlaten::Memory<double>>> platens;            ///< on platens
+  long step = 0;                              ///< mechanical steps made before
+  std::size_t breaks = 0;                     ///< bonds broken so far
+  double kinetic = 0;                         ///< kinetic energy, J per m
+  std::vector<Pack> place;                    ///< displacements of discs and platens
+  std::vector<Pack> damped;                   ///< per disc: what damping takes from the resultant
+  std::vector<Vec2> fluid;                    ///< per disc: force of the fluid, N per m
+  std::array<Pack, 4> platen_force{};         ///< of the discs on each platen
+  std::vector<ContactInstant<Law>> contacts;  ///< between discs
+  std::vector<ContactInstant<SmoothPlaten>> platens;  ///< on platens
 };
 
 /// An observer of mechanical steps that keeps the books. It books what happens between two steps
@@ -144,10 +145,10 @@ class EnergyLedger {
   static void see(const Range& range, std::span<const Pack> place, Instants& contacts) {
     contacts.resize(range.size());
     for (std::size_t c = 0; c < range.size(); ++c) {
-      contacts[c].motion = range.motion(c, place);
-      contacts[c].memory = range.memory(c);
-      contacts[c].energy =
-          range.law().energy(range.stiffness(c), contacts[c].memory, contacts[c].motion);
+      const auto motion = range.motion(c, place);
+      const auto stiffness = range.stiffness(c);
+      const auto memory = range.memory(c);
+      contacts[c] = {motion, stiffness, memory, range.law().energy(stiffness, memory, motion)};
     }
   }
 
@@ -157,9 +158,10 @@ class EnergyLedger {
   void book(const Sim& sim) {
     const double boundary = entries_.boundary, fluid = entries_.fluid;
     book_bodies(sim);
-    book_contacts(sim.contacts(), before_.contacts, now_.contacts);
-    book_contacts(sim.platens(), before_.platens, now_.platens);
-    for (const auto& b : sim.breaks().subspan(before_.breaks)) book_break(sim, b.contact);
+    const Law& law = sim.contacts().law();
+    book_contacts<Law>(law, before_.contacts, now_.contacts);
+    book_contacts<SmoothPlaten>(sim.platens().law(), before_.platens, now_.platens);
+    for (const auto& b : sim.breaks().subspan(before_.breaks)) book_break(law, b.contact);
     work_done_ += std::abs(entries_.boundary - boundary) + std::abs(entries_.fluid - fluid);
     worst_error_ = std::fmax(worst_error_, relative_error());
   }
@@ -181,14 +183,15 @@ class EnergyLedger {
     entries_.kinetic += now_.kinetic - before_.kinetic;
   }
 
-  template <class Range, class Instants>
-  void book_contacts(const Range& range, const Instants& before, const Instants& now) {
-    const auto& law = range.law();
-    for (std::size_t c = 0; c < range.size(); ++c) {
-      const auto& [from, slip, stored] = before[c];
-      const auto& [to, new_slip, stores] = now[c];
+  /// A contact whose bond broke in this step is taken as broken since its beginning, but for the
+  /// energy stored then.
+  template <class ThisLaw>
+  void book_contacts(const ThisLaw& law, std::span<const ContactInstant<ThisLaw>> before,
+                     std::span<const ContactInstant<ThisLaw>> now) {
+    for (std::size_t c = 0; c < now.size(); ++c) {
+      const auto& [from, earlier, slip, stored] = before[c];
+      const auto& [to, k, new_slip, stores] = now[c];
       entries_.elastic += stores - stored;
-      const auto k = range.stiffness(c);
       // What a change of memory alone takes from the energy: the mean of before and after motion.
       if (differ(slip, new_slip))
         entries_.friction += 0.5 * (law.energy(k, slip, from) - law.energy(k, new_slip, from) +
@@ -202,22 +205,15 @@ class EnergyLedger {
 
   /// A bond gives up what it stored, less what its last force still did while it fell to zero
   /// during the step.
-  template <class Sim>
-  void book_break(const Sim& sim, Index contact) {
-    const auto& range = sim.contacts();
-    const Law& law = range.law();
-    const auto [first, second] = range.bodies(contact);
-    const auto rest = range.stiffness(contact);
-    const auto whole =
-        law.stiffness(Disc{sim.discs().radius[first]}, Disc{sim.discs().radius[second]});
-    const auto& [from, memory, stored] = before_.contacts[contact];
-    const Motion<double>& to = now_.contacts[contact].motion;
-    const Reaction<double> held = law.respond(whole, memory, from).reaction();
-    const Reaction<double> holds = law.respond(rest, memory, from).reaction();
+  void book_break(const Law& law, Index contact) {
+    const auto& [from, whole, memory, stored] = before_.contacts[contact];
+    const auto& [to, rest, new_memory, stores] = now_.contacts[contact];
+    const Reaction<double> before = law.respond(whole, memory, from).reaction();
+    const Reaction<double> after = law.respond(rest, memory, from).reaction();
     entries_.breaks += stored - law.energy(rest, memory, from) -
-                       0.5 * ((held.normal - holds.normal) * (to.opening - from.opening) +
-                              (held.shear - holds.shear) * (to.shear - from.shear) -
-                              (held.moment - holds.moment) * (to.rotation - from.rotation));
+                       0.5 * ((before.normal - after.normal) * (to.opening - from.opening) +
+                              (before.shear - after.shear) * (to.shear - from.shear) -
+                              (before.moment - after.moment) * (to.rotation - from.rotation));
   }
 
   template <class Memory>
