@@ -30,7 +30,7 @@ int run(const CommandLine& options, const KgdConfig& config, const Manifest& man
         const std::optional<MeasuredToughness>& toughness) {
   const OutputFolder folder(options.out);
   folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.svg",
-                  "length.svg", "aperture.svg", "pressure.svg"});
+                  "length.svg", "aperture.svg", "pressure.svg", "energy.csv"});
   folder.write("config.toml", to_toml(config));
   KgdResults results(folder, config, manifest, toughness);
   std::optional<Kgd> sim;

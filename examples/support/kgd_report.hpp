@@ -11,6 +11,7 @@
 #include <hfdem/measure/elastic_moduli.hpp>
 #include <hfdem/observe/report.hpp>
 
+#include "support/energy_record.hpp"
 #include "support/kgd_figures.hpp"
 #include "support/prediction_results.hpp"
 #include "support/run_report.hpp"
@@ -38,7 +39,9 @@ class KgdReport {
   }
 
   /// The page of a run, whatever ended it.
-  std::string html(const Kgd& sim, const KgdOutcome& o, const KgdFigures& figures) {
+  /// @param energy where the work went; null if no books were kept
+  std::string html(const Kgd& sim, const KgdOutcome& o, const KgdFigures& figures,
+                   const EnergyRecord<Kgd>* energy) {
     page_.title = "A crack of " + observe::fixed(o.shape.full_length(), 3, "m") + " after " +
                   observe::fixed(sim.time(), 3, "s");
     if (!o.run.stopped.empty())
@@ -54,19 +57,23 @@ class KgdReport {
     if (o.predicted) o.predicted->add_to(page_, config_.simulator.scheme.equilibrium);
     add_comparison(sim, o);
     add_numbers(sim, o);
+    if (energy) energy->add_to(page_, sim, described(config_));
     add_run(page_, sim, o.run, manifest_);
-    add_origin({{"summary.json", "the answer in numbers, with the references beside them"},
-                {"history.csv", "pressures, length, tips, aperture and volumes over time"},
-                {"profile.csv", "aperture, opening and pressure along the crack at the end"},
-                {"cracks.csv", "time, place, length and mode of every bond that broke"},
-                {"paraview/particles.pvd", "discs over time, for ParaView: displacement, stress"},
-                {"paraview/contacts.pvd", "contacts over time: force, moment, state"},
-                {"paraview/cracks.pvd", "broken contacts over time: aperture, pressure"},
-                {"config.toml", "every parameter; repeats the run with --config"},
-                {"specimen.svg", "the first figure above, for other documents"},
-                {"length.svg", "length over time"},
-                {"aperture.svg", "aperture over time"},
-                {"pressure.svg", "injection pressure over time"}});
+    std::vector<observe::File> files{
+        {"summary.json", "the answer in numbers, with the references beside them"},
+        {"history.csv", "pressures, length, tips, aperture and volumes over time"},
+        {"profile.csv", "aperture, opening and pressure along the crack at the end"},
+        {"cracks.csv", "time, place, length and mode of every bond that broke"},
+        {"paraview/particles.pvd", "discs over time, for ParaView: displacement, stress"},
+        {"paraview/contacts.pvd", "contacts over time: force, moment, state"},
+        {"paraview/cracks.pvd", "broken contacts over time: aperture, pressure"},
+        {"config.toml", "every parameter; repeats the run with --config"},
+        {"specimen.svg", "the first figure above, for other documents"},
+        {"length.svg", "length over time"},
+        {"aperture.svg", "aperture over time"},
+        {"pressure.svg", "injection pressure over time"}};
+    if (energy) files.push_back({"energy.csv", "work and where it went, over time"});
+    add_origin(files);
     return page_.html();
   }
 

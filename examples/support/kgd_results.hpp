@@ -11,6 +11,7 @@
 #include <hfdem/observe/history.hpp>
 #include <hfdem/observe/paraview.hpp>
 
+#include "support/energy_record.hpp"
 #include "support/kgd_report.hpp"
 #include "support/output_folder.hpp"
 #include "support/progress.hpp"
@@ -32,7 +33,9 @@ class KgdResults {
         far_field_(std::fmin(config.simulator.in_situ.xx, config.simulator.in_situ.yy)),
         history_file_(folder.open("history.csv")),
         history_(history_file_, config.run.output_interval, far_field_),
-        paraview_(folder.path() / "paraview", config.run.snapshot_interval) {}
+        paraview_(folder.path() / "paraview", config.run.snapshot_interval) {
+    if (config.run.energy) energy_.emplace(folder, config.run.output_interval);
+  }
 
   /// Call once the specimen has settled.
   void begin(const Kgd& sim) {
@@ -47,7 +50,12 @@ class KgdResults {
     watch_ = Stopwatch();
   }
 
+  void mechanical_step(const Kgd& sim) {
+    if (energy_) energy_->mechanical_step(sim);
+  }
+
   void fluid_step(const Kgd& sim, const FluidStep& step) {
+    if (energy_) energy_->fluid_step(sim);
     history_.fluid_step(sim, step);
     paraview_.fluid_step(sim, step);
     see_pressure(sim.injection_pressure());
@@ -67,6 +75,7 @@ class KgdResults {
                              predicted(sim)};
     paraview_.write(sim);
     folder_.close(history_file_, "history.csv");
+    if (energy_) energy_->close();
     std::ofstream profile = folder_.open("profile.csv"), cracks = folder_.open("cracks.csv");
     observe::write_profile(profile, sim);
     observe::write_cracks(cracks, sim);
@@ -78,7 +87,8 @@ class KgdResults {
     folder_.write("pressure.svg", svg(figures.pressure()));
     folder_.write("specimen.svg", svg(figures.specimen(sim)));
     folder_.write("summary.json", summarise(sim, outcome).json());
-    folder_.write("report.html", KgdReport(config_, manifest_).html(sim, outcome, figures));
+    folder_.write("report.html",
+                  KgdReport(config_, manifest_).html(sim, outcome, figures, energy()));
     text_ = describe(sim, outcome);
     if (outcome.predicted) text_ += outcome.predicted->text();
     if (!no_prediction_.empty()) text_ += "no prediction from slits: " + no_prediction_ + "\n";
@@ -87,6 +97,7 @@ class KgdResults {
   /// @param reason why the specimen could not even settle
   void finish_unbegun(const std::string& reason) {
     folder_.close(history_file_, "history.csv");
+    if (energy_) energy_->close();
     folder_.write("report.html", KgdReport(config_, manifest_).html(reason));
   }
 
@@ -94,6 +105,8 @@ class KgdResults {
   const std::string& text() const { return text_; }
 
  private:
+  const EnergyRecord<Kgd>* energy() const { return energy_ ? &*energy_ : nullptr; }
+
   void see_pressure(double pressure) { peak_pressure_ = std::fmax(peak_pressure_, pressure); }
 
   static measure::ElasticModuli moduli(const Kgd& sim) {
@@ -158,6 +171,7 @@ class KgdResults {
     s.set("kgd/full_length_printed_in_paper_m", paper::Verification::kgd_full_length);
     s.set("kgd/aperture_printed_in_paper_m", paper::Verification::kgd_aperture);
     if (predicted) predicted->summarise(s);
+    if (energy_) energy_->summarise(s);
     if (!no_prediction_.empty()) s.set("toughness/no_prediction", no_prediction_);
     return s;
   }
@@ -194,6 +208,7 @@ class KgdResults {
   std::ofstream history_file_;
   observe::History history_;
   observe::ParaView paraview_;
+  std::optional<EnergyRecord<Kgd>> energy_;  // if the books are kept
   measure::ElasticModuli moduli_{};
   long unconverged_ = 0;
   double peak_pressure_ = 0;

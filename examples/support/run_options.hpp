@@ -13,6 +13,7 @@ struct RunOptions {
   double end_time = 0.9;
   double output_interval = 1e-4;
   double snapshot_interval = 0.1;
+  bool energy = false;
 
   static constexpr auto fields() {
     using P = RunOptions;
@@ -20,7 +21,9 @@ struct RunOptions {
                       Field{"output_interval", &P::output_interval, "s", positive,
                             "time between two rows of history.csv"},
                       Field{"snapshot_interval", &P::snapshot_interval, "s", positive,
-                            "time between two steps of the files for ParaView"}};
+                            "time between two steps of the files for ParaView"},
+                      Field{"energy", &P::energy, "", any_number,
+                            "keep the books of mechanical energy; several times as slow"}};
   }
 };
 

@@ -55,7 +55,8 @@ class ForceRows {
   std::span<const Pack> rows() const { return rows_; }
 
   /// Sum of the rows that act on a body: (x, y) in N per m; its torque is the sum of the other two.
-  Pack total(std::size_t body) const {
+  /// Inlined wherever it is called: a function that returns a pack has no portable way to.
+  [[gnu::always_inline]] Pack total(std::size_t body) const {
     const Index* entry = entries_.data() + lists_[body].begin;
     const Index* const through = entries_.data() + lists_[body].through;
     const Index* const end = entries_.data() + lists_[body + 1].begin;
