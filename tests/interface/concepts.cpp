@@ -5,6 +5,7 @@
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/contact/smooth_platen.hpp>
+#include <hfdem/contact/unbreakable.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
@@ -87,6 +88,12 @@ static_assert(!RespondingLaw<LawWithClosedStiffness> && !RespondingLaw<LawWithCl
 static_assert(RespondingLaw<LawWithoutFailure> && !BreakableLaw<LawWithoutFailure>);
 static_assert(RespondingLaw<LawWithoutBroken> && !BreakableLaw<LawWithoutBroken>);
 static_assert(BreakableLaw<MadeFromNothing<Law>>, "the loop does not care where a law comes from");
+
+static_assert(StoresEnergy<LinearParallelBond> && StoresEnergy<Unbreakable<LinearParallelBond>>);
+static_assert(StoresEnergy<SmoothPlaten>, "books of energy run over platens too");
+static_assert(ContactLaw<Law> && !StoresEnergy<Law>, "no simulator needs the energy");
+static_assert(StoresEnergy<LawWithEnergy> && !StoresEnergy<LawWithThrowingEnergy>);
+static_assert(!StoresEnergy<Unbreakable<Law>>, "it stores what its law stores");
 
 // ---- aperture law -----------------------------------------------------------------------------
 

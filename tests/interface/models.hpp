@@ -117,6 +117,22 @@ struct LawWithoutBroken : Law {
   void broken() = delete;
 };
 
+struct LawWithEnergy : Law {
+  using Law::Law;
+  double energy(const Stiffness<double>& k, const Memory<double>&,
+                const Motion<double>& m) const noexcept {
+    const double normal = m.opening < 0 ? std::fmax(k.pressed, k.glued) : k.glued;
+    return (normal * m.opening * m.opening + k.glued * m.shear * m.shear) / 2;
+  }
+};
+
+struct LawWithThrowingEnergy : Law {
+  using Law::Law;
+  double energy(const Stiffness<double>&, const Memory<double>&, const Motion<double>&) const {
+    return 0;
+  }
+};
+
 // ---- aperture law -----------------------------------------------------------------------------
 
 struct ApertureWithoutRestWidth : Aperture {

@@ -151,6 +151,26 @@ TEST_CASE("nothing is remembered where nothing slips") {
   CHECK(path.shear_offset() == 0);
 }
 
+TEST_CASE("a contact stores what was spent on it, but for what slip took") {
+  // From rest in straight lines, without slip and with both parts pressed or the bond pulled.
+  for (const Move& end :
+       {Move{-9e-6, 2e-6, 1e-4}, Move{-9e-6, -1e-6, -3e-4}, Move{3e-6, 0, 2e-4}}) {
+    Path path(bonded);
+    path.lead_to({.opening = end.opening});
+    path.lead_to(end);
+    CHECK(law.energy<double>(bonded, {path.shear_offset()}, end) == near(path.work()));
+  }
+  // What slipped is gone: half the limit over the elastic part of the way is left.
+  const double pressed = 5e-6, limit = 0.4 * sample::k_n * pressed, slips_at = limit / sample::k_s;
+  Path path(broken);
+  const Move end{.opening = -pressed, .shear = 7 * slips_at};
+  path.lead_to({.opening = -pressed});
+  path.lead_to(end);
+  CHECK(law.energy<double>(broken, {path.shear_offset()}, end) ==
+        near(sample::k_n * pressed * pressed / 2 + limit * slips_at / 2));
+  CHECK(law.energy<double>(broken, {}, Move{.opening = 1e-6}) == 0);
+}
+
 TEST_CASE("work spent on slip is the friction force times the slip") {
   const double pressed = 5e-6, limit = 0.4 * sample::k_n * pressed, slips_at = limit / sample::k_s;
   constexpr int per_slip_distance = 8;

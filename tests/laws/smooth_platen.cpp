@@ -31,3 +31,10 @@ TEST_CASE("a platen pushes a disc that presses it, and does nothing else") {
   CHECK(pressed.reaction().moment == 0);
   CHECK(platen.respond<double>({5e10}, {}, test::Move{.opening = 2e-6}).reaction().normal == 0);
 }
+
+TEST_CASE("a platen stores what pressing spends, and nothing once it is free") {
+  const hfdem::SmoothPlaten platen;
+  CHECK(platen.energy<double>({5e10}, {}, test::Move{.opening = -2e-6, .shear = 1e-3}) ==
+        near(1e5 * 2e-6 / 2));
+  CHECK(platen.energy<double>({5e10}, {}, test::Move{.opening = 2e-6}) == 0);
+}

@@ -17,6 +17,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOND = "contact/linear_parallel_bond.hpp"
 KGD, PROFILE, TIP, GENERAL, REGIME = (f"analytic/kgd{s}.hpp" for s in ("", "_profile", "_tip", "_general", "_regime"))
+LEDGER = "measure/energy_ledger.hpp"
 CRACK = "analytic/pressurised_crack.hpp"
 PLATE, FIELDS, SOLVER, GROWTH = (f"analytic/plate{s}.hpp" for s in ("", "_fields", "_solver", "_growth"))
 
@@ -123,6 +124,26 @@ MUTATIONS = [
     ("K_I of a pressurised crack", CRACK, "net_pressure * std::sqrt(", "1.05 * net_pressure * std::sqrt(", "analytic/pressurised_crack"),
     ("stress ahead of a crack", CRACK, "xi * xi - 1)", "xi * xi - 1.05)", "analytic/pressurised_crack"),
     ("pressure of growth", CRACK, "K_IC / std", "1.05 * K_IC / std", "analytic/pressurised_crack"),
+    ("normal energy of the linear part", BOND, "(k.normal * (closing * closing) +", "(1.05 * k.normal * (closing * closing) +", "measures/energy_ledger"),
+    ("shear energy of the linear part", BOND, "shear * shear / shear_stiffness", "1.05 * shear * shear / shear_stiffness", "measures/energy_ledger"),
+    ("energy of the bond's opening", BOND, "motion.opening * motion.opening + bond", "1.05 * motion.opening * motion.opening + bond", "measures/energy_ledger"),
+    ("energy of the bond's shear", BOND, "bond_shear_per_normal_ * (motion.shear *", "1.05 * bond_shear_per_normal_ * (motion.shear *", "measures/energy_ledger"),
+    ("energy of the bond's bending", BOND, "(1.0 / 3.0) * (k.bond_radius", "(1.05 / 3.0) * (k.bond_radius", "measures/energy_ledger"),
+    ("energy of the platens' springs", "contact/smooth_platen.hpp", "0.5 * (k.normal", "0.525 * (k.normal", "measures/energy_ledger"),
+    ("work of the fluid", LEDGER, "dot(0.5 * (before_.fluid", "dot(0.525 * (before_.fluid", "measures/energy_ledger"),
+    ("work of dead loads", LEDGER, "+= dot(sim.loading()", "+= 1.05 * dot(sim.loading()", "measures/energy_ledger"),
+    ("work of platens", LEDGER, "0.5 * (before_.platen_force", "0.525 * (before_.platen_force", "measures/energy_ledger"),
+    ("work spent on damping", LEDGER, "0.5 * (before_.damped", "0.525 * (before_.damped", "measures/energy_ledger"),
+    ("damping of the whole torque", LEDGER, "a[2] * b[2];", "1.05 * a[2] * b[2];", "measures/energy_ledger"),
+    ("kinetic energy", LEDGER, "0.5 * product(velocity, next)", "0.525 * product(velocity, next)", "measures/energy_ledger"),
+    ("change of the energy stored", LEDGER, "+= stores - stored;", "+= 1.05 * (stores - stored);", "measures/energy_ledger"),
+    ("friction by slip", LEDGER, "0.5 * (law.energy(k, slip, from)", "0.525 * (law.energy(k, slip, from)", "measures/energy_ledger"),
+    ("contacts that open within a step", LEDGER, "0.5 * (law.respond(k, new_slip", "0.525 * (law.respond(k, new_slip", "measures/energy_ledger"),
+    ("energy of a broken bond", LEDGER, "+= stored - law.energy(rest", "+= 1.05 * stored - law.energy(rest", "measures/energy_ledger"),
+    ("opening of a bond as it breaks", LEDGER, "0.5 * ((before.normal", "0.5 * (1.05 * (before.normal", "measures/energy_ledger"),
+    ("shear of a bond as it breaks", LEDGER, "(before.shear - after.shear)", "1.05 * (before.shear - after.shear)", "measures/energy_ledger"),
+    ("bending of a bond as it breaks", LEDGER, "(before.moment - after.moment)", "1.05 * (before.moment - after.moment)", "measures/energy_ledger"),
+    ("law of motion", "mechanics/motion.hpp", "discs.displacement[i] += velocity * dt_", "discs.displacement[i] += 1.05 * velocity * dt_", "measures/energy_ledger"),
     ("modulus from a slit", "measure/toughness.hpp", "4 * a * factors.width", "4.2 * a * factors.width", "measures/toughness_fit"),
     ("toughness from a slit", "measure/toughness.hpp", "p * factors.toughness * std::sqrt(pi * a)", "p * factors.toughness * std::sqrt(1.1 * pi * a)", "measures/toughness_fit"),
     ("overhang of a slit", "measure/toughness.hpp", "(r.y * std::sqrt(test.rock.E_prime) - r.x)", "(r.y * std::sqrt(1.05 * test.rock.E_prime) - r.x)", "measures/toughness_fit"),

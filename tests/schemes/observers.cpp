@@ -123,3 +123,44 @@ TEST_CASE("an observer need not know every event") {
   sim.run_until(1, breaks, [](const Injected& s) { return s.breaks().size() < 4; });
   CHECK(breaks.count == sim.breaks().size());
 }
+
+TEST_CASE("an observer of mechanical steps sees each once, before anything moves") {
+  struct Watch {
+    long steps = 0, next = 0;
+    std::vector<hfdem::Pack> place{};
+    bool in_step = true;
+    void mechanical_step(const Injected& s) {
+      in_step = in_step && s.mechanical_steps() == next++;
+      if (steps++ > 0) {  // the discs have come here with the velocity that they have now
+        for (std::size_t i = 0; i < s.discs().size(); ++i) {
+          const hfdem::Pack there = place[i] + s.mechanical_dt() * s.discs().velocity[i];
+          for (std::size_t lane = 0; lane < 3; ++lane)
+            in_step = in_step && there[lane] == s.discs().displacement[i][lane];
+        }
+      }
+      place = s.discs().displacement;
+      // Forces and loads are those of this place.
+      const std::size_t c = s.contacts().size() / 2;
+      const auto f = s.contacts().response(c, place).reaction();
+      const hfdem::Pack& row = s.forces().rows()[s.contacts().first_row() + c];
+      const auto frame = s.contacts().frame(c);
+      in_step = in_step && row[0] == f.normal * frame.normal_x - f.shear * frame.normal_y;
+      for (const hfdem::Index i : s.network().pushed_discs())
+        in_step = in_step && s.discs().load[i] == s.network().force_on(i);
+    }
+  };
+  Injected sim = quick_array(), unwatched = quick_array();
+  Watch watch;
+  sim.run_until(1e-3, watch);
+  const hfdem::FluidStep last = sim.step(watch);
+  CHECK(watch.in_step);
+  CHECK(watch.steps == sim.mechanical_steps());
+  CHECK(last.mechanical_steps > 0);
+
+  unwatched.run_until(1e-3);
+  unwatched.step();
+  for (std::size_t i = 0; i < sim.discs().size(); ++i)
+    for (std::size_t lane = 0; lane < 4; ++lane)
+      CHECK(test::bits(sim.discs().displacement[i][lane]) ==
+            test::bits(unwatched.discs().displacement[i][lane]));
+}
