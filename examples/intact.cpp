@@ -31,7 +31,7 @@ std::unique_ptr<IntactResults> run(const OutputFolder& folder, const IntactConfi
                                    const Manifest& manifest) {
   folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.txt",
                   "fracture.svg", "aperture_map.svg", "pressure_map.svg", "stress.svg",
-                  "pressure.svg", "tips.svg", "length.svg", "aperture.svg"});
+                  "pressure.svg", "tips.svg", "length.svg", "aperture.svg", "energy.csv"});
   folder.write("config.toml", to_toml(config));
   auto results = std::make_unique<IntactResults>(folder, config, manifest);
   std::optional<Rock> sim;

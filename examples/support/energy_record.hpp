@@ -64,8 +64,9 @@ class EnergyRecord {
     page.figure(chart(conditions));
     page.table(table(sim));
     page.text(
-        "Each row is computed on its own from forces, displacements and velocities. The worst "
-        "that they left unaccounted in any mechanical step is " +
+        "The file energy.csv has the entries over time. Each is computed on its own from forces, "
+        "displacements and velocities. The worst that they left unaccounted in any mechanical step "
+        "is " +
         detail::said_number(rounded(ledger_.worst_relative_error())) +
         " of the work done until then, the sizes of what boundary and fluid did in each "
         "mechanical step added up. Mechanical time is a relaxation: what waves would carry away "

@@ -7,6 +7,7 @@
 
 #include <hfdem/observe/report.hpp>
 
+#include "support/energy_record.hpp"
 #include "support/intact_figures.hpp"
 #include "support/intact_outcome.hpp"
 #include "support/run_report.hpp"
@@ -21,7 +22,9 @@ class IntactReport {
   }
 
   /// The page of a run, whatever ended it.
-  std::string html(const Rock& sim, const IntactOutcome& o, const IntactFigures& figures) {
+  /// @param energy where the work went; null if no books were kept
+  std::string html(const Rock& sim, const IntactOutcome& o, const IntactFigures& figures,
+                   const EnergyRecord<Rock>* energy) {
     page_.title =
         "A crack of " + metres(o.end.tip_distance) + " after " + observe::fixed(o.end.time, 3, "s");
     page_.lead =
@@ -44,6 +47,8 @@ class IntactReport {
     page_.figure(figures.stress());
     add_comparison(o);
     add_numbers(sim, o);
+    if (energy)
+      energy->add_to(page_, sim, described(config_, static_cast<long>(sim.discs().size())));
     add_run(page_, sim, o.run, manifest_);
     add_origin({{"summary.json", "the answer in numbers, with the references beside them"},
                 {"history.csv", "pressure, tips, lengths, aperture and volumes over time"},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include <hfdem/observe/paraview.hpp>
 #include <hfdem/setup/specimen_file.hpp>
 
+#include "support/energy_record.hpp"
 #include "support/intact_recorder.hpp"
 #include "support/intact_report.hpp"
 #include "support/output_folder.hpp"
@@ -28,7 +30,9 @@ class IntactResults {
         manifest_(manifest),
         history_file_(folder.open("history.csv")),
         recorder_(config, history_file_),
-        paraview_(folder.path() / "paraview", config.run.snapshot_interval) {}
+        paraview_(folder.path() / "paraview", config.run.snapshot_interval) {
+    if (config.run.energy) energy_.emplace(folder, config.run.output_interval);
+  }
 
   /// Call once the specimen has settled.
   void begin(const Rock& sim) {
@@ -37,7 +41,12 @@ class IntactResults {
     recorder_.begin();
   }
 
+  void mechanical_step(const Rock& sim) {
+    if (energy_) energy_->mechanical_step(sim);
+  }
+
   void fluid_step(const Rock& sim, const FluidStep& step) {
+    if (energy_) energy_->fluid_step(sim);
     recorder_.fluid_step(sim, step);
     paraview_.fluid_step(sim, step);
   }
@@ -48,6 +57,7 @@ class IntactResults {
     outcome_.moduli = moduli(sim);
     paraview_.write(sim);
     folder_.close(history_file_, "history.csv");
+    if (energy_) energy_->close();
     folder_.write("profile.csv", profile(sim));
     std::ostringstream cracks;
     observe::write_cracks(cracks, sim);
@@ -62,13 +72,15 @@ class IntactResults {
     folder_.write("length.svg", svg(figures.length()));
     folder_.write("aperture.svg", svg(figures.aperture()));
     folder_.write("summary.json", summary(sim).json());
-    folder_.write("report.html", IntactReport(config_, manifest_).html(sim, outcome_, figures));
+    folder_.write("report.html", IntactReport(config_, manifest_)
+                                     .html(sim, outcome_, figures, energy_ ? &*energy_ : nullptr));
   }
 
   /// @param reason why the specimen could not even settle
   void finish_unbegun(const std::string& reason) {
     outcome_.run.stopped = reason;
     folder_.close(history_file_, "history.csv");
+    if (energy_) energy_->close();
     folder_.write("report.html", IntactReport(config_, manifest_).html(reason));
   }
 
@@ -120,6 +132,7 @@ class IntactResults {
     Summary s;
     summarise(s, config_, sim, outcome_, growth());
     s.set("threads", manifest_.threads);
+    if (energy_) energy_->summarise(s);
     const auto kgd = paper_kgd(config_, outcome_.end.time);
     s.set("kgd/E_prime_Pa", paper::Intact::E_prime);
     s.set("kgd/K_IC_Pa_sqrt_m", paper::Intact::K_IC);
@@ -138,6 +151,7 @@ class IntactResults {
   std::ofstream history_file_;
   IntactRecorder recorder_;
   observe::ParaView paraview_;
+  std::optional<EnergyRecord<Rock>> energy_;  // if the books are kept
   IntactOutcome outcome_;
 };
 

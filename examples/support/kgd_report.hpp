@@ -59,21 +59,18 @@ class KgdReport {
     add_numbers(sim, o);
     if (energy) energy->add_to(page_, sim, described(config_));
     add_run(page_, sim, o.run, manifest_);
-    std::vector<observe::File> files{
-        {"summary.json", "the answer in numbers, with the references beside them"},
-        {"history.csv", "pressures, length, tips, aperture and volumes over time"},
-        {"profile.csv", "aperture, opening and pressure along the crack at the end"},
-        {"cracks.csv", "time, place, length and mode of every bond that broke"},
-        {"paraview/particles.pvd", "discs over time, for ParaView: displacement, stress"},
-        {"paraview/contacts.pvd", "contacts over time: force, moment, state"},
-        {"paraview/cracks.pvd", "broken contacts over time: aperture, pressure"},
-        {"config.toml", "every parameter; repeats the run with --config"},
-        {"specimen.svg", "the first figure above, for other documents"},
-        {"length.svg", "length over time"},
-        {"aperture.svg", "aperture over time"},
-        {"pressure.svg", "injection pressure over time"}};
-    if (energy) files.push_back({"energy.csv", "work and where it went, over time"});
-    add_origin(files);
+    add_origin({{"summary.json", "the answer in numbers, with the references beside them"},
+                {"history.csv", "pressures, length, tips, aperture and volumes over time"},
+                {"profile.csv", "aperture, opening and pressure along the crack at the end"},
+                {"cracks.csv", "time, place, length and mode of every bond that broke"},
+                {"paraview/particles.pvd", "discs over time, for ParaView: displacement, stress"},
+                {"paraview/contacts.pvd", "contacts over time: force, moment, state"},
+                {"paraview/cracks.pvd", "broken contacts over time: aperture, pressure"},
+                {"config.toml", "every parameter; repeats the run with --config"},
+                {"specimen.svg", "the first figure above, for other documents"},
+                {"length.svg", "length over time"},
+                {"aperture.svg", "aperture over time"},
+                {"pressure.svg", "injection pressure over time"}});
     return page_.html();
   }
 
