@@ -84,6 +84,31 @@ class Assembly {
 
   void break_bond(Index contact) { rock_.break_bond(contact); }  ///< whatever its strength
 
+  /// From now on a platen moves inwards at this speed, m/s, instead of holding a stress.
+  void drive(Side side, double speed) { loading_.drive(side, speed * dt()); }
+
+  /// Takes a platen away.
+  void withdraw(Side side) {
+    const Vec2 away = (specimen_.width + specimen_.height) * outward(side);
+    discs_.displacement[discs_.platen(side)] += Pack{away.x, away.y, 0, 0};
+    loading_.drive(side, 0);
+  }
+
+  /// From now on a disc moves at this velocity, m/s, without turning, whatever pulls on it.
+  void drive(Index disc, Vec2 velocity) {
+    discs_.velocity[disc] = Pack{velocity.x, velocity.y, 0, 0};
+    motion_.keep_velocity(disc);
+  }
+
+  /// Gives the discs velocities with which the specimen shortens uniformly, 1/s: a load that rises
+  /// from the start on as it would in a specimen without inertia.
+  void shorten_at(Vec2 rate) {
+    for (std::size_t i = 0; i < discs_.size(); ++i) {
+      const Vec2 away = discs_.centre[i] - 0.5 * Vec2{specimen_.width, specimen_.height};
+      discs_.velocity[i] = Pack{-rate.x * away.x, -rate.y * away.y, 0, 0};
+    }
+  }
+
   // ---- what can be read -------------------------------------------------------------------------
 
   const Specimen& specimen() const { return specimen_; }                  ///< as it was bonded
@@ -93,6 +118,8 @@ class Assembly {
   const Loading& loading() const { return loading_; }  ///< that holds the specimen
   const ForceRows& forces() const { return forces_; }  ///< of the last step
   double dt() const { return motion_.dt(); }           ///< mechanical time step, s
+  /// Shortenings for a stress if all discs moved with a uniform strain.
+  Vec2 uniform_shortening(Stress stress) const { return uniform_strain_.shortening(stress); }
   /// Bodies, normals and arms of the contacts between discs.
   std::span<const ContactGeometry> geometry() const { return geometry_; }
   /// The same of the contacts on platens.
@@ -122,6 +149,8 @@ class Assembly {
     std::vector<typename Contact::template Stiffness<double>> stiffness;
     for (const auto& c : geometry_) {
       stiffness.push_back(law.stiffness(disc(c.bodies.first), disc(c.bodies.second)));
+      if constexpr (VaryingLaw<Contact>)
+        stiffness.back() = law.varied(stiffness.back(), static_cast<Index>(stiffness.size() - 1));
       uniform_strain_.add(c.frame, law.springs(stiffness.back()), 2 * c.frame.arm_mean,
                           specimen_.width * specimen_.height);
     }

@@ -1,10 +1,11 @@
 /// @file
-/// What holds the specimen: rigid smooth platens (servo-controlled, or frozen once settled), or
-/// dead loads on the discs of the rim.
+/// What holds the specimen: rigid smooth platens (servo-controlled, frozen once settled, or driven),
+/// or dead loads on the discs of the rim.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -83,6 +84,9 @@ class Loading {
         dead_load_[disc] = dead_load_[disc] - (target(side) * share) * outward(side);
   }
 
+  /// From now on a platen moves inwards by so much in every step, m, whatever its force; 0 stops it.
+  void drive(Side side, double advance) { advance_[static_cast<std::size_t>(side)] = advance; }
+
   /// The constant force on a disc of the rim, N per m; zero where platens hold the specimen.
   Vec2 dead_load(Index disc) const { return dead_load_[disc]; }
 
@@ -105,19 +109,24 @@ class Loading {
     return dot({total[0], total[1]}, outward(side));
   }
 
-  /// One mechanical step of the platens: each moves by a part of what would correct its force.
+  /// One mechanical step of the platens: each moves as it is driven, or by a part of what would
+  /// correct its force.
   void step(Discs& discs, const ForceRows& forces, bool settling) const {
     if (!has_platens() || (params_.kind == BoundaryKind::frozen && !settling)) return;
     for (const Side side : all_sides) {
-      const double excess = compression(side, discs, forces) - target(side);
-      const double outwards =
-          params_.servo_gain * excess / stiffness_[static_cast<std::size_t>(side)];
+      const auto& advance = advance_[static_cast<std::size_t>(side)];
+      const double outwards = advance ? -*advance : correction(side, discs, forces);
       const Vec2 out = outward(side);
       discs.displacement[discs.platen(side)] += Pack{out.x, out.y, 0, 0} * outwards;
     }
   }
 
  private:
+  double correction(Side side, const Discs& discs, const ForceRows& forces) const {
+    const double excess = compression(side, discs, forces) - target(side);
+    return params_.servo_gain * excess / stiffness_[static_cast<std::size_t>(side)];
+  }
+
   struct RimDisc {
     Index disc;
     double share;  ///< of the side's force
@@ -147,6 +156,7 @@ class Loading {
   double width_, height_;
   Stress stress_{0, 0};
   std::array<double, 4> stiffness_{};
+  std::array<std::optional<double>, 4> advance_{};  ///< of driven platens
   std::array<std::vector<RimDisc>, 4> rim_;
   std::vector<Vec2> dead_load_;
 };

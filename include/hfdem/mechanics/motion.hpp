@@ -48,6 +48,8 @@ class DiscMotion {
     counted_.resize(dt_over_inertia_.size(), true);
     for (const Index i : discs) counted_[i] = false;
   }
+  /// A disc that from now on keeps its velocity, whatever pulls on it.
+  void keep_velocity(Index disc) { dt_over_inertia_[disc] = {0, 0}; }
 
   /// Gathers all forces on each disc and moves it by one time step.
   /// @returns the largest resultant force on a disc before damping, N per m; not a finite number if

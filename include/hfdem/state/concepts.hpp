@@ -116,6 +116,15 @@ concept gives_energy = requires(const L& law,
 template <class L>
 concept StoresEnergy = RespondingLaw<L> && gives_energy<L>;
 
+/// A contact law whose bonds are not all alike: `varied(stiffness, contact)` makes the stiffness of
+/// a new contact its own.
+template <class L>
+concept VaryingLaw = ContactLaw<L> &&
+    requires(const L& law, const typename L::template Stiffness<double>& k) {
+  { law.varied(k, Index{}) }
+  noexcept->std::same_as<typename L::template Stiffness<double>>;
+};
+
 // ---- aperture law -----------------------------------------------------------------------------
 
 /// `rest_width()` gives the aperture at zero force, w0, m.
