@@ -31,4 +31,14 @@ struct Intact {
   static constexpr double kgd_aperture = 10.40e-5;  ///< m, as printed
 };
 
+/// Table 2: what the paper's rock tests of its random specimen came to.
+struct Rock {
+  static constexpr double E = 29.1e9;                ///< Pa
+  static constexpr double poisson_ratio = 0.30;      ///< -
+  static constexpr double ucs = 22.3e6;              ///< Pa
+  static constexpr double tensile_strength = 4.8e6;  ///< Pa
+  static constexpr double friction_angle = 37.5;     ///< deg
+  static constexpr double cohesion = 5.8e6;          ///< Pa
+};
+
 }  // namespace hfdem::support::paper

@@ -38,8 +38,8 @@ void for_chunks(std::size_t count, std::size_t grain, [[maybe_unused]] int threa
   for (std::size_t c = 0; c < chunks; ++c) run(c);
 }
 
-/// Calls `f(task)` for every task, each on one thread, the next one as soon as a thread is free: for
-/// few long tasks that share nothing. `f` must not throw.
+/// Calls `f(task)` for every task, each on one thread, the next one as soon as a thread is free:
+/// for few long tasks that share nothing. `f` must not throw.
 template <class F>
 void for_tasks(std::size_t count, [[maybe_unused]] int threads, F&& f) {
 #ifdef _OPENMP

@@ -3,9 +3,9 @@
 /// factor of mean 1.
 ///
 /// The factor has the distribution of W. Weibull, "A statistical distribution function of wide
-/// applicability", J. Appl. Mech. 18 (1951) 293-297: P(factor < f) = 1 - exp(-(f Gamma(1 + 1/m))^m).
-/// Stiffness and the angles of friction are those of all bonds. A bond's factor depends on the seed
-/// and on its number alone, so it is the same for any number of threads.
+/// applicability", J. Appl. Mech. 18 (1951) 293-297: P(factor < f) = 1 - exp(-(f Gamma(1 +
+/// 1/m))^m). Stiffness and the angles of friction are those of all bonds. A bond's factor depends
+/// on the seed and on its number alone, so it is the same for any number of threads.
 #pragma once
 
 #include <cmath>

@@ -10,15 +10,15 @@
 
 namespace hfdem::measure {
 
-/// The straight Mohr-Coulomb envelope sigma_1 = q + K sigma_3, with K = (1 + sin phi) / (1 - sin phi)
-/// and q = 2 c sqrt(K).
+/// The straight Mohr-Coulomb envelope sigma_1 = q + K sigma_3, with K = (1 + sin phi) / (1 - sin
+/// phi) and q = 2 c sqrt(K).
 struct MohrCoulomb {
   double friction_angle;  ///< phi, deg
   double cohesion;        ///< c, Pa
   Line envelope;          ///< sigma_1 over sigma_3, Pa
 
-  /// By least squares of sigma_1 over all tests, the unconfined one included. An assembly's envelope
-  /// is curved: the values depend on the confinements.
+  /// By least squares of sigma_1 over all tests, the unconfined one included. An assembly's
+  /// envelope is curved: the values depend on the confinements.
   /// @param strengths (sigma_3, sigma_1) of each test, Pa; at two confinements or more
   static MohrCoulomb through(const std::vector<Vec2>& strengths) {
     const Line line = Line::through(strengths);

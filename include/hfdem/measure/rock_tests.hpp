@@ -1,6 +1,6 @@
 /// @file
-/// Rock tests of a bonded specimen: compression with or without confinement, direct tension, and the
-/// Brazilian test.
+/// Rock tests of a bonded specimen: compression with or without confinement, direct tension, and
+/// the Brazilian test.
 ///
 /// Platens are rigid and smooth; grips are layers of discs that move as one. Both ends move at the
 /// same constant speed. All values are those of the plane assembly: no plane strain is read into
@@ -25,7 +25,7 @@ namespace hfdem::measure {
 /// How a specimen is loaded, and until when.
 struct LoadFrame {
   double strain_rate = 0.05;
-  double largest_strain = 0.005;
+  double largest_strain = 0.004;
   double end_below = 0.6;
   double grip_depth = 0.02;
 
@@ -146,8 +146,8 @@ class LoadedSpecimen {
 
   /// Without a broken bond a fall of the load is a wave at the start.
   bool has_failed(const LoadReading& now, const LoadFrame& frame) const {
-    return !test_.breaks.empty() && now.stress - test_.confinement <
-                                        frame.end_below * (test_.strength - test_.confinement);
+    return !test_.breaks.empty() &&
+           now.stress - test_.confinement < frame.end_below * (test_.strength - test_.confinement);
   }
 
   RockTest finished(const LoadFrame& frame) {
@@ -224,8 +224,7 @@ RockTest direct_tension(const Specimen& specimen, const Contact& law, const Load
     for (const Index i : grip) force += rock.forces().total(i)[1];
     return force;
   };
-  return loaded.load(frame,
-                     [&] { return (pull(below) - pull(above)) / (2 * specimen.width); });
+  return loaded.load(frame, [&] { return (pull(below) - pull(above)) / (2 * specimen.width); });
 }
 
 /// Presses on the flats of a round plate.

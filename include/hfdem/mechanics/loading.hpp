@@ -1,6 +1,6 @@
 /// @file
-/// What holds the specimen: rigid smooth platens (servo-controlled, frozen once settled, or driven),
-/// or dead loads on the discs of the rim.
+/// What holds the specimen: rigid smooth platens (servo-controlled, frozen once settled, or
+/// driven), or dead loads on the discs of the rim.
 #pragma once
 
 #include <array>
@@ -84,7 +84,8 @@ class Loading {
         dead_load_[disc] = dead_load_[disc] - (target(side) * share) * outward(side);
   }
 
-  /// From now on a platen moves inwards by so much in every step, m, whatever its force; 0 stops it.
+  /// From now on a platen moves inwards by so much in every step, m, whatever its force; 0 stops
+  /// it.
   void drive(Side side, double advance) { advance_[static_cast<std::size_t>(side)] = advance; }
 
   /// The constant force on a disc of the rim, N per m; zero where platens hold the specimen.

@@ -3,8 +3,8 @@
 /// platens press.
 ///
 /// The flats are walls of the packing, so that the platens touch whole rows of its discs, free of
-/// stress. Flats: Q. Z. Wang, X. M. Jia, S. Q. Kou, Z. X. Zhang, P.-A. Lindqvist, Int. J. Rock Mech.
-/// Min. Sci. 41 (2004) 245-253.
+/// stress. Flats: Q. Z. Wang, X. M. Jia, S. Q. Kou, Z. X. Zhang, P.-A. Lindqvist, Int. J. Rock
+/// Mech. Min. Sci. 41 (2004) 245-253.
 #pragma once
 
 #include <cmath>
@@ -44,7 +44,8 @@ struct BrazilianDisc {
 /// @param plate its measures
 /// @param grains of the packing; its width and height do not count, nor does an exact number
 /// @param threads to use
-/// @throws InvalidParameter if a field is outside its range, or the plate is too small for its grains
+/// @throws InvalidParameter if a field is outside its range, or the plate is too small for its
+/// grains
 /// @throws RunStopped as `random_packing` does
 inline Specimen brazilian_disc(const BrazilianDisc& plate, RandomPacking grains, int threads = 1) {
   validate(plate, "brazilian");

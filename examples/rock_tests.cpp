@@ -1,0 +1,151 @@
+// What the micro-parameters make of the random specimen as a rock: unconfined, biaxial, tensile and
+// Brazilian tests, with the paper's values beside them (its Table 2).
+//
+//   build/release/examples/rock_tests --out out/rock --threads 2
+//
+// You should see, after some minutes, E = 30 GPa beside the paper's 29.1, and a tensile strength of
+// 4.9 MPa beside 4.8: open out/rock/report.html. `--seeds 10 --seed 1` says how many specimens and
+// from which seed on; `--quick` tests a small one in seconds.
+#include <atomic>
+#include <cstdio>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <hfdem/base/parallel.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include "support/command_line.hpp"
+#include "support/manifest.hpp"
+#include "support/polite_threads.hpp"
+#include "support/progress.hpp"
+#include "support/rock_tests_results.hpp"
+
+using namespace hfdem;
+using namespace hfdem::support;
+
+namespace {
+
+/// Test `which` of a specimen: first direct tension, then the Brazilian, then compressions.
+template <class Contact>
+void run_test(const RockTestsConfig& config, int specimen, int which, SpecimenTests& results) {
+  ScatteredParallelBond::Params micro = config.contact;
+  micro.strength_seed += specimen;
+  const Contact law(micro);
+  const RandomPacking packing = config.packing(specimen);
+  const auto& [frame, mechanics] = std::tie(config.load_frame, config.mechanics);
+  if (which == 0)
+    results.tension = measure::direct_tension(random_packing(packing), law, frame, mechanics);
+  else if (which == 1)
+    results.brazilian = measure::brazilian(brazilian_disc(config.brazilian, packing),
+                                           config.brazilian, law, frame, mechanics);
+  else
+    results.compression[static_cast<std::size_t>(which - 2)] = measure::compression(
+        random_packing(packing), law, config.study.confinement(which - 2), frame, mechanics);
+}
+
+/// Makes all tests of all specimens; each result is that of its specimen alone.
+/// @throws InvalidParameter if the specimens, or the first of their tests, cannot be as wanted
+template <class Contact>
+std::vector<SpecimenTests> run_tests(const RockTestsConfig& config, int threads, bool quiet) {
+  const int each = 3 + config.study.confinements;
+  const auto tests = static_cast<std::size_t>(config.study.seeds * each);
+  std::vector<SpecimenTests> specimens(static_cast<std::size_t>(config.study.seeds));
+  for (std::size_t k = 0; k < specimens.size(); ++k) {
+    specimens[k].seed = config.specimen.seed + static_cast<int>(k);
+    specimens[k].compression.resize(static_cast<std::size_t>(each - 2));
+  }
+  ProgressLine progress(quiet);
+  std::mutex one_at_a_time;
+  std::size_t done = 0;
+  std::optional<InvalidParameter> refused;
+  std::atomic<bool> useless = false;
+  for_tasks(tests, threads, [&](std::size_t task) {
+    if (useless) return;
+    const int specimen = static_cast<int>(task) / each;
+    SpecimenTests& results = specimens[static_cast<std::size_t>(specimen)];
+    try {
+      run_test<Contact>(config, specimen, static_cast<int>(task) % each, results);
+    } catch (const RunStopped& reason) {
+      const std::lock_guard lock(one_at_a_time);
+      results.stopped = reason.what();
+    } catch (const InvalidParameter& reason) {
+      const std::lock_guard lock(one_at_a_time);
+      refused = reason;
+      useless = true;
+    }
+    const std::lock_guard lock(one_at_a_time);
+    ++done;
+    progress.show(static_cast<double>(done) / static_cast<double>(tests),
+                  std::to_string(done) + " of " + std::to_string(tests) + " tests");
+  });
+  if (refused) throw *refused;
+  return specimens;
+}
+
+/// @throws InvalidParameter if the last seed would be none
+void check_seeds(const RockTestsConfig& config) {
+  const int largest = std::numeric_limits<int>::max() - config.study.seeds;
+  const auto check = [largest](const char* section, const char* field, int seed) {
+    if (seed > largest)
+      refuse(section, field, std::to_string(seed),
+             "at most " + std::to_string(largest) + ", as study.seeds follow");
+  };
+  check("specimen", "seed", config.specimen.seed);
+  check("contact", "strength_seed", config.contact.strength_seed);
+}
+
+int run(const CommandLine& options, const RockTestsConfig& config, const Manifest& manifest) {
+  const OutputFolder folder(options.out);
+  folder.discard(RockTestsResults::files);
+  folder.write("config.toml", to_toml(config));
+  const Stopwatch watch;
+  const auto tests = config.contact.weibull_modulus
+                         ? run_tests<ScatteredParallelBond>(config, options.threads, options.quiet)
+                         : run_tests<LinearParallelBond>(config, options.threads, options.quiet);
+  bool stopped = false;
+  std::vector<SpecimenTests> whole;
+  for (const SpecimenTests& s : tests) {
+    if (s.stopped.empty()) {
+      whole.push_back(s);
+      continue;
+    }
+    stopped = true;
+    std::fprintf(stderr, "rock_tests: the specimen of seed %d is left out: %s\n", s.seed,
+                 s.stopped.c_str());
+  }
+  if (whole.empty()) return run_stopped;
+  const RockTestsResults results(config, whole, manifest, watch.seconds());
+  results.write(folder);
+  if (!options.quiet)
+    std::printf("%sOpen this in a browser: %s/report.html\n", results.text().c_str(),
+                options.out.c_str());
+  return stopped ? run_stopped : success;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Rock tests on random specimens: moduli and strengths"};
+  CommandLine options;
+  options.add_to(app);
+  std::optional<int> seed, seeds;
+  app.add_option("--seed", seed, "the first specimen's (specimen.seed)");
+  app.add_option("--seeds", seeds, "how many specimens are tested (study.seeds)");
+  return guarded("rock_tests", app, [&] {
+    app.parse(argc, argv);
+    let_waiting_threads_sleep(options.threads, argv);
+    RockTestsConfig config = options.quick ? RockTestsConfig::quick() : RockTestsConfig{};
+    options.configure(config);
+    config.specimen.seed = seed.value_or(config.specimen.seed);
+    config.study.seeds = seeds.value_or(config.study.seeds);
+    validate_all(config);
+    check_seeds(config);
+    const int last = config.specimen.seed + config.study.seeds - 1;
+    return run(options, config,
+               manifest("rock_tests", argc, argv, options.threads,
+                        std::to_string(config.specimen.seed) + " to " + std::to_string(last)));
+  });
+}
