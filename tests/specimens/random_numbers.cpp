@@ -18,6 +18,13 @@ TEST_CASE("the stream is that of the published generator") {
     CHECK(random.bits() == expected);
 }
 
+TEST_CASE("a stream can be entered anywhere") {
+  hfdem::Random walked(1234567), jumped(1234567);
+  for (int k = 0; k < 3; ++k) walked.bits();
+  jumped.skip(3);
+  CHECK(jumped.bits() == walked.bits());
+}
+
 TEST_CASE("a fraction is the upper 53 bits of the stream, exactly") {
   hfdem::Random random(1234567);
   // 6457827717110365317 = 2^11 * 3153236189995295.56...

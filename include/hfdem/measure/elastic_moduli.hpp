@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include <hfdem/aperture/hyperbolic.hpp>
@@ -17,17 +19,17 @@ struct ElasticModuli {
   double poisson;  ///< -
 };
 
-/// Mean strains (shortening positive) by a straight line through the discs' displacements: measured
-/// on the grains, not between platens.
-inline Vec2 mean_shortening(const Discs& discs) {
+/// Mean strains (shortening positive) by a straight line through the displacements of some discs:
+/// measured on the grains, not between platens.
+inline Vec2 mean_shortening(const Discs& discs, std::span<const Index> some) {
   const auto slope = [&](double Vec2::*axis, int lane) {
     double mean_position = 0, mean_displacement = 0, covariance = 0, variance = 0;
-    const auto count = static_cast<double>(discs.size());
-    for (std::size_t i = 0; i < discs.size(); ++i) {
+    const auto count = static_cast<double>(some.size());
+    for (const Index i : some) {
       mean_position += discs.centre[i].*axis / count;
       mean_displacement += discs.displacement[i][lane] / count;
     }
-    for (std::size_t i = 0; i < discs.size(); ++i) {
+    for (const Index i : some) {
       const double away = discs.centre[i].*axis - mean_position;
       covariance += away * (discs.displacement[i][lane] - mean_displacement);
       variance += away * away;
@@ -35,6 +37,13 @@ inline Vec2 mean_shortening(const Discs& discs) {
     return -covariance / variance;
   };
   return {slope(&Vec2::x, 0), slope(&Vec2::y, 1)};
+}
+
+/// The same of all discs.
+inline Vec2 mean_shortening(const Discs& discs) {
+  std::vector<Index> all(discs.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return mean_shortening(discs, all);
 }
 
 /// Settles the intact specimen under `in_situ`, raises the stress along y by a tenth of the larger

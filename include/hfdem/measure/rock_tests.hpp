@@ -7,7 +7,9 @@
 /// them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -47,7 +49,7 @@ struct LoadFrame {
 struct LoadReading {
   double strain;    ///< of the length between the ends
   double stress;    ///< mean of both ends, Pa
-  Vec2 shortening;  ///< mean strains of the grains since loading began; negative in tension
+  Vec2 shortening;  ///< mean strains of the free grains since loading began; negative in tension
 };
 
 /// A bond that broke in a test.
@@ -78,10 +80,20 @@ class LoadedSpecimen {
   LoadedSpecimen(const Specimen& specimen, const Contact& law, BoundaryKind ends,
                  const Mechanics& mechanics)
       : rock_(specimen, bonded_contacts<CellGrid>(specimen), law, {.kind = ends}, mechanics.damping,
-              mechanics.step_fraction) {}
+              mechanics.step_fraction),
+        free_(specimen.size()) {
+    std::iota(free_.begin(), free_.end(), Index{0});
+  }
 
   /// To be set up before a test.
   Assembly<Contact>& rock() { return rock_; }
+
+  /// Moves some discs as one, m/s along y.
+  void grip(const std::vector<Index>& discs, double velocity) {
+    for (const Index i : discs) rock_.drive(i, {0, velocity});
+    std::erase_if(free_,
+                  [&](Index i) { return std::binary_search(discs.begin(), discs.end(), i); });
+  }
 
   /// Lets the confinement settle.
   /// @throws RunStopped if it finds no equilibrium
@@ -113,12 +125,12 @@ class LoadedSpecimen {
     constexpr int between_checks = 20;
     constexpr double between_readings = 5e-6;  // of strain
     const double strain_per_step = frame.strain_rate * rock_.dt();
-    const Vec2 before = mean_shortening(rock_.discs());
+    const Vec2 before = mean_shortening(rock_.discs(), free_);
     for (long step = 0; true; ++step) {
       const double strain = static_cast<double>(step) * strain_per_step;
       find_forces(strain);
       if (step % between_checks == 0) {
-        const LoadReading now{strain, stress(), mean_shortening(rock_.discs()) - before};
+        const LoadReading now{strain, stress(), mean_shortening(rock_.discs(), free_) - before};
         if (now.stress > test_.strength)
           test_.strength = now.stress, test_.strain_at_strength = strain;
         if (test_.curve.empty() || strain >= test_.curve.back().strain + between_readings)
@@ -163,6 +175,7 @@ class LoadedSpecimen {
   }
 
   Assembly<Contact> rock_;
+  std::vector<Index> free_;  ///< discs that no grip holds
   RockTest test_;
 };
 
@@ -194,31 +207,32 @@ RockTest compression(const Specimen& specimen, const Contact& law, double confin
 }
 
 /// Pulls a specimen along y by the layers that the grips hold.
-/// @throws InvalidParameter if the grips leave less than half of it between them, or hold nothing
+/// @throws InvalidParameter if the grips take more than half of it, or hold nothing
 /// @throws RunStopped if it does not fail
 template <ContactLaw Contact>
 RockTest direct_tension(const Specimen& specimen, const Contact& law, const LoadFrame& frame,
                         const Mechanics& mechanics) {
-  const double free_length = specimen.height - 2 * frame.grip_depth;
-  if (free_length < specimen.height / 2)
+  const double top = specimen.height - frame.grip_depth;
+  if (frame.grip_depth > specimen.height / 4)
     refuse("load_frame", "grip_depth", to_text(frame.grip_depth) + " m",
            "at most " + to_text(specimen.height / 4) + " m, a quarter of the specimen's height");
-  detail::LoadedSpecimen<Contact> loaded(specimen, law, BoundaryKind::dead_loads, mechanics);
-  auto& rock = loaded.rock();
-  const Vec2 strain = rock.uniform_shortening({0, 1});
-  rock.shorten_at((-frame.strain_rate / strain.y) * strain);
   std::vector<Index> below, above;
+  double lowest = specimen.height, highest = 0;  // centres that move with the upper, the lower grip
   for (Index i = 0; i < specimen.size(); ++i) {
     const double y = specimen.centre[i].y;
-    if (y < frame.grip_depth) below.push_back(i);
-    if (y > specimen.height - frame.grip_depth) above.push_back(i);
+    if (y < frame.grip_depth) below.push_back(i), highest = std::fmax(highest, y);
+    if (y > top) above.push_back(i), lowest = std::fmin(lowest, y);
   }
   if (below.empty() || above.empty())
     refuse("load_frame", "grip_depth", to_text(frame.grip_depth) + " m",
            "more: the grips hold no disc");
-  const double speed = frame.strain_rate * free_length / 2;
-  for (const Index i : below) rock.drive(i, {0, -speed});
-  for (const Index i : above) rock.drive(i, {0, speed});
+  detail::LoadedSpecimen<Contact> loaded(specimen, law, BoundaryKind::dead_loads, mechanics);
+  auto& rock = loaded.rock();
+  const Vec2 strain = rock.uniform_shortening({0, 1});
+  rock.shorten_at((-frame.strain_rate / strain.y) * strain);
+  const double speed = frame.strain_rate * (lowest - highest) / 2;
+  loaded.grip(below, -speed);
+  loaded.grip(above, speed);
   const auto pull = [&rock](const std::vector<Index>& grip) {
     double force = 0;
     for (const Index i : grip) force += rock.forces().total(i)[1];

@@ -32,15 +32,18 @@ struct BrazilianDisc {
   /// Between the flats, m.
   double height() const { return diameter * std::cos(half_angle()); }
 
-  /// Tension in the middle of an isotropic elastic plate, Pa, of a load on both arcs, N per m of
-  /// thickness: G. Hondros, Austral. J. Appl. Sci. 10 (1959) 243-268.
+  /// Tension in the middle of an isotropic elastic plate under even pressure on both arcs (G.
+  /// Hondros, Austral. J. Appl. Sci. 10 (1959) 243-268), Pa.
+  /// @param load resultant of the pressure on an arc, N per m of thickness
   double tension(double load) const {
     const double a = half_angle();
-    return 2 * load / (std::numbers::pi * diameter) * (std::sin(2 * a) / a - 1);
+    return 2 * load / (std::numbers::pi * diameter) * (std::sin(2 * a) - a) / std::sin(a);
   }
 };
 
-/// Cuts the plate out of a packing.
+/// Cuts the plate out of a packing: the discs whose centres lie in the circle, without those that
+/// would touch a platen beside its flat. Its area is that of the circle, its rim as rough as a
+/// grain.
 /// @param plate its measures
 /// @param grains of the packing; its width and height do not count, nor does an exact number
 /// @param threads to use
@@ -60,7 +63,11 @@ inline Specimen brazilian_disc(const BrazilianDisc& plate, RandomPacking grains,
   round.centre.clear();
   round.radius.clear();
   for (Index i = 0; i < box.size(); ++i) {
-    if (norm(box.centre[i] - 0.5 * Vec2{box.width, box.height}) > plate.diameter / 2) continue;
+    const Vec2 from_middle = box.centre[i] - 0.5 * Vec2{box.width, box.height};
+    const bool beside_flat =
+        std::abs(from_middle.x) > plate.diameter / 2 * std::sin(plate.half_angle());
+    const bool at_platen = box.touches(i, Side::bottom) || box.touches(i, Side::top);
+    if (norm(from_middle) > plate.diameter / 2 || (beside_flat && at_platen)) continue;
     round.centre.push_back(box.centre[i]);
     round.radius.push_back(box.radius[i]);
   }
