@@ -228,7 +228,7 @@ class IntactSeeds {
         {"summary.json", "the means with their intervals"},
         {"config.toml", "every parameter; repeats the runs with --config and --seeds"}};
     for (const Run& run : runs_)
-      files.push_back(
+      beside.push_back(
           {"seed_" + std::to_string(run.seed) + "/report.html", "one rock's own report"});
     page.files(beside);
     add_manifest(page, manifest_);

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include <hfdem/aperture/hyperbolic.hpp>
-#include <hfdem/contact/linear_parallel_bond.hpp>
+#include <hfdem/contact/scattered_parallel_bond.hpp>
 #include <hfdem/neighbours/kd_tree.hpp>
 #include <hfdem/pressure/uniform.hpp>
 #include <hfdem/setup/random_packing.hpp>
@@ -20,7 +20,7 @@
 
 namespace hfdem::support {
 
-using Rock = Simulator<LinearParallelBond, HyperbolicAperture, UniformPressure, KdTree>;
+using Rock = Simulator<ScatteredParallelBond, HyperbolicAperture, UniformPressure, KdTree>;
 
 /// When the propagation pressure is read.
 struct Readings {
