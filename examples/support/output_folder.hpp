@@ -8,16 +8,16 @@
 #include <span>
 #include <string>
 
-#include <hfdem/observe/whole_file.hpp>
+#include <hfdem/base/whole_file.hpp>
 
 namespace hfdem::support {
 
-using OutputFailed = observe::WriteFailed;
+using OutputFailed = WriteFailed;
 
 class OutputFolder {
  public:
   /// @throws OutputFailed if the folder cannot be made
-  explicit OutputFolder(const std::string& path) : path_(path) { observe::make_folder(path_); }
+  explicit OutputFolder(const std::string& path) : path_(path) { make_folder(path_); }
 
   const std::filesystem::path& path() const { return path_; }
 
@@ -30,7 +30,7 @@ class OutputFolder {
 
   /// Writes a whole file. @throws OutputFailed if that does not succeed
   void write(const std::string& name, const std::string& content) const {
-    observe::write_whole_file(path_ / name, content);
+    write_whole_file(path_ / name, content);
   }
 
   /// Removes what an earlier run left and this one writes at its end: if it does not come to that,

@@ -102,13 +102,13 @@ TEST_CASE("the same run writes the same bytes") {
 TEST_CASE("a file changes as a whole: until its new content is complete, the old one stands") {
   const Scratch folder;
   const fs::path file = folder.path / "file";
-  hfdem::observe::make_folder(folder.path);
-  hfdem::observe::write_whole_file(file, "old");
+  hfdem::make_folder(folder.path);
+  hfdem::write_whole_file(file, "old");
   fs::create_directory(folder.path / "file.part");
-  CHECK_THROWS_AS(hfdem::observe::write_whole_file(file, "new"), hfdem::observe::WriteFailed);
+  CHECK_THROWS_AS(hfdem::write_whole_file(file, "new"), hfdem::observe::WriteFailed);
   CHECK(content(file) == "old");
   fs::remove(folder.path / "file.part");
-  hfdem::observe::write_whole_file(file, "new");
+  hfdem::write_whole_file(file, "new");
   CHECK(content(file) == "new");
 }
 
@@ -119,14 +119,14 @@ TEST_CASE("what cannot be written is said, and what stood there stays") {
   std::ofstream(folder.path / "file") << "in the way";
   const std::string in_the_way = (folder.path / "file").string();
   CHECK_THROWS_WITH_AS(ParaView(in_the_way, 1), doctest::Contains(in_the_way.c_str()),
-                       hfdem::observe::WriteFailed);
-  CHECK_THROWS_AS(ParaView(folder.path / "file" / "out", 1), hfdem::observe::WriteFailed);
+                       hfdem::WriteFailed);
+  CHECK_THROWS_AS(ParaView(folder.path / "file" / "out", 1), hfdem::WriteFailed);
   CHECK(content(folder.path / "file") == "in the way");
 
   ParaView out(folder.path, 1);
   fs::create_directories(folder.path / "contacts_0000.vtp" / "folder in the way");
   CHECK_THROWS_WITH_AS(out.write(sim), doctest::Contains("contacts_0000.vtp"),
-                       hfdem::observe::WriteFailed);
+                       hfdem::WriteFailed);
   CHECK_THROWS_WITH_AS(ParaView(folder.path, 0),
                        "paraview.interval = 0 s is not allowed: it must be greater than 0 s",
                        hfdem::InvalidParameter);

@@ -142,5 +142,18 @@ TEST_CASE("a file cut off at any place is refused") {
 TEST_CASE("a file that is not there is refused, one that cannot be written is said to be so") {
   CHECK_THROWS_AS(hfdem::load_specimen("no/such/file"), hfdem::InvalidParameter);
   CHECK_THROWS_AS(hfdem::save_specimen("no/such/file", hfdem::square_array(2, 2, 1)),
-                  std::runtime_error);
+                  hfdem::WriteFailed);
+}
+
+TEST_CASE("until a new specimen is written whole, the old one stands") {
+  const auto path = (std::filesystem::temp_directory_path() / "hfdem_old_specimen.txt").string();
+  const auto old = hfdem::square_array(2, 2, 1), larger = hfdem::square_array(3, 3, 1);
+  hfdem::save_specimen(path, old);
+  std::filesystem::create_directory(path + ".part");
+  CHECK_THROWS_AS(hfdem::save_specimen(path, larger), hfdem::WriteFailed);
+  check_same(old, hfdem::load_specimen(path));
+  std::filesystem::remove(path + ".part");
+  hfdem::save_specimen(path, larger);
+  check_same(larger, hfdem::load_specimen(path));
+  std::filesystem::remove(path);
 }

@@ -27,10 +27,10 @@
 #include <vector>
 
 #include <hfdem/base/fields.hpp>
+#include <hfdem/base/whole_file.hpp>
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/measure/particle_stress.hpp>
 #include <hfdem/observe/vtk_xml.hpp>
-#include <hfdem/observe/whole_file.hpp>
 #include <hfdem/state/discs.hpp>
 #include <hfdem/state/network.hpp>
 #include <hfdem/state/step.hpp>

@@ -23,6 +23,7 @@
 #include <fstream>
 #include <istream>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,6 +31,7 @@
 
 #include <hfdem/base/errors.hpp>
 #include <hfdem/base/fields.hpp>
+#include <hfdem/base/whole_file.hpp>
 #include <hfdem/state/specimen.hpp>
 
 namespace hfdem {
@@ -187,13 +189,12 @@ inline Specimen read_specimen(std::istream& in, const std::string& name) {
   return s;
 }
 
-/// Writes a specimen to a file.
-/// @throws std::runtime_error if that does not succeed
+/// Writes a specimen to a file; until it is complete, an old one of this name stands.
+/// @throws WriteFailed if that does not succeed
 inline void save_specimen(const std::string& path, const Specimen& s) {
-  std::ofstream out(path, std::ios::binary);
-  write_specimen(out, s);
-  out.close();
-  if (!out) throw std::runtime_error("cannot write all of " + path);
+  std::ostringstream text;
+  write_specimen(text, s);
+  write_whole_file(path, text.view());
 }
 
 /// Reads a specimen from a file.

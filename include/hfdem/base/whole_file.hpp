@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace hfdem::observe {
+namespace hfdem {
 
 /// A file or folder that cannot be written; the message names it.
 struct WriteFailed : std::runtime_error {
@@ -37,4 +37,4 @@ inline void write_whole_file(const std::filesystem::path& file, std::string_view
   if (!out || error) throw WriteFailed("cannot write all of " + file.string());
 }
 
-}  // namespace hfdem::observe
+}  // namespace hfdem
