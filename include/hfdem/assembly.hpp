@@ -144,6 +144,9 @@ class Assembly {
     return worst;
   }
 
+  /// Everything that moves, breaks or is held.
+  void exchange(auto& archive) { archive(discs_, loading_, forces_, rock_, platens_); }
+
  private:
   ContactRange<Contact> make_rock(const Contact& law) {
     std::vector<typename Contact::template Stiffness<double>> stiffness;

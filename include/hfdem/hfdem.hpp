@@ -8,6 +8,7 @@
 #include <hfdem/analytic/pressurised_crack.hpp>
 #include <hfdem/analytic/stepwise_growth.hpp>
 #include <hfdem/aperture/hyperbolic.hpp>
+#include <hfdem/base/archive.hpp>
 #include <hfdem/base/units.hpp>
 #include <hfdem/base/version.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>

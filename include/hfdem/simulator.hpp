@@ -41,13 +41,21 @@ class Simulator {
   /// @throws InvalidParameter naming the field that is wrong
   /// @throws RunStopped if the specimen finds no equilibrium under the in-situ stress
   Simulator(const Specimen& specimen, const Params& params)
-      : params_((params.validate(), params)),
-        assembly_(specimen, bonded_contacts<Neighbours>(specimen), Contact(params.contact),
-                  params.boundary, params.mechanics.damping, params.mechanics.step_fraction),
-        aperture_(params.aperture),
-        pressure_(params.scheme) {
-    make_network();
+      : Simulator(Unsettled{}, specimen, params) {
     set_in_situ(params.in_situ);
+  }
+
+  /// Takes up a run where it was saved; nothing settles again. From there on every bit is that of
+  /// the run without a break.
+  /// @tparam Archive that gives back what was saved, `Loader`
+  /// @param specimen of the run that was saved
+  /// @param params of the run that was saved
+  /// @param saved where `saver(simulator)` is the next that was put in
+  /// @throws InvalidParameter naming the field that is wrong, or the byte of what does not fit
+  template <class Archive>
+  Simulator(const Specimen& specimen, const Params& params, Archive& saved)
+      : Simulator(Unsettled{}, specimen, params) {
+    saved(*this);
   }
 
   // ---- verbs ----------------------------------------------------------------------------------
@@ -169,8 +177,25 @@ class Simulator {
   /// Mean size of the force in the contacts between discs at the last mechanical step, N per m.
   double mean_contact_force() const { return assembly_.mean_contact_force(); }
 
+  /// Everything that evolves; the number of threads is no part of it.
+  void exchange(auto& archive) {
+    archive(assembly_, pressure_, network_, breaks_, time_, injected_, rate_, mean_contact_force_,
+            mechanical_steps_, settling_steps_, fluid_steps_, mean_contact_force_until_);
+  }
+
  private:
   // ---- setting up -----------------------------------------------------------------------------
+
+  struct Unsettled {};
+
+  Simulator(Unsettled, const Specimen& specimen, const Params& params)
+      : params_((params.validate(), params)),
+        assembly_(specimen, bonded_contacts<Neighbours>(specimen), Contact(params.contact),
+                  params.boundary, params.mechanics.damping, params.mechanics.step_fraction),
+        aperture_(params.aperture),
+        pressure_(params.scheme) {
+    make_network();
+  }
 
   void make_network() {
     FlowDomains domains = flow_domains(specimen(), assembly_.geometry(), params_.channels.length);

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -115,6 +116,11 @@ class PackedColumn {
   Four& block(std::size_t b) { return blocks_[b]; }
   /// Records 4 b to 4 b + 3.
   const Four& block(std::size_t b) const { return blocks_[b]; }
+
+  /// Every record.
+  void exchange(auto& archive) {
+    if constexpr (members > 0) archive(std::span(blocks_));
+  }
 
   /// A copy of one record; `set` writes it.
   One operator[](std::size_t index) const { return lane(blocks_[index / pack_width], index); }

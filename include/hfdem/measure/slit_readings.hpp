@@ -40,6 +40,12 @@ struct SlitTest {
   double net_pressure_at_break = 0;  ///< Pa
   std::vector<SlitState> states{};   ///< at rising pressures below it, tips softened
   Line opening{}, volume{};          ///< against net pressure
+
+  /// All of it.
+  void exchange(auto& archive) {
+    archive(contacts, half_length, net_pressure_at_break, states, opening.slope, opening.intercept,
+            volume.slope, volume.intercept);
+  }
 };
 
 }  // namespace hfdem::measure

@@ -115,6 +115,9 @@ class ContactRange {
     stiffness_.set(c, law_.broken(stiffness_[c]));
   }
 
+  /// What is left of the bonds, and what the contacts remember.
+  void exchange(auto& archive) { archive(stiffness_, memory_); }
+
  private:
   struct Bodies {
     std::array<Index, pack_width> first{}, second{};

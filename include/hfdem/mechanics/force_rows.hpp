@@ -67,6 +67,9 @@ class ForceRows {
     return sum;
   }
 
+  /// The rows; who gathers them is fixed.
+  void exchange(auto& archive) { archive(std::span(rows_)); }
+
  private:
   struct Pull {
     Index row;

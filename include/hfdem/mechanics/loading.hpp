@@ -122,6 +122,9 @@ class Loading {
     }
   }
 
+  /// What the boundary holds at present.
+  void exchange(auto& archive) { archive(stress_, std::span(dead_load_)); }
+
  private:
   double correction(Side side, const Discs& discs, const ForceRows& forces) const {
     const double excess = compression(side, discs, forces) - target(side);

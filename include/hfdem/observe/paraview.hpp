@@ -77,6 +77,9 @@ class ParaView {
     put("cracks", cracks(sim, broken));
   }
 
+  /// When was written, and when to write again.
+  void exchange(auto& archive) { archive(next_, times_); }
+
  private:
   struct Broken {
     Index contact;

@@ -60,6 +60,9 @@ class HeldPressure {
     return step;
   }
 
+  /// The pressure that is held at present.
+  void exchange(auto& archive) { archive(params_.pressure); }
+
  private:
   Params params_;
 };

@@ -95,6 +95,9 @@ class UniformPressure {
     return step;
   }
 
+  /// Nothing of its own: the pressure is the network's.
+  void exchange(auto&) {}
+
  private:
   void raise_pressure(Network& network, double injected) const {
     const double volume = max(network.total_volume(), network.rest_volume());

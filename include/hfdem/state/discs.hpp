@@ -3,6 +3,7 @@
 #pragma once
 
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <hfdem/base/pack.hpp>
@@ -33,6 +34,11 @@ struct Discs {
         load(s.size()) {
     for (std::size_t i = 0; i < mass.size(); ++i)
       mass[i] = s.density * std::numbers::pi * radius[i] * radius[i];
+  }
+
+  /// The motion and what drives it.
+  void exchange(auto& archive) {
+    archive(std::span(displacement), std::span(velocity), std::span(load));
   }
 
   std::size_t size() const { return centre.size(); }  ///< without the platens

@@ -148,6 +148,12 @@ class Network {
     return total;
   }
 
+  /// Where the fluid is, its pressure, and the widths.
+  void exchange(auto& archive) {
+    archive(std::span(width_), std::span(pressure_), open_, wet_channel_, wet_domain_, pushed_disc_,
+            wet_channels_, wet_domains_, pushed_discs_, reached_rim_);
+  }
+
  private:
   template <class T>
   static std::span<const T> slice(const std::vector<Index>& begin, const std::vector<T>& of,

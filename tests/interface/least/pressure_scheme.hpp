@@ -37,6 +37,8 @@ struct PressureSteps {
     return step;
   }
 
+  void exchange(auto& archive) { archive(pressure); }
+
   Params p;
   double pressure = 0;
 };
