@@ -15,7 +15,7 @@
 #include "support/kgd_results.hpp"
 #include "support/manifest.hpp"
 #include "support/polite_threads.hpp"
-#include "support/progress.hpp"
+#include "support/run_loop.hpp"
 
 using namespace hfdem;
 using namespace hfdem::support;
@@ -29,24 +29,26 @@ void say_where(const CommandLine& options) {
 int run(const CommandLine& options, const KgdConfig& config, const Manifest& manifest,
         const std::optional<MeasuredToughness>& toughness) {
   const OutputFolder folder(options.out);
+  Checkpoint checkpoint(options, manifest, to_toml(config));
   folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.svg",
                   "length.svg", "aperture.svg", "pressure.svg", "energy.csv"});
   folder.write("config.toml", to_toml(config));
-  KgdResults results(folder, config, manifest, toughness);
+  KgdResults results(folder, config, checkpoint.manifest(), toughness, checkpoint.resumes());
   std::optional<Kgd> sim;
   try {
-    sim.emplace(square_array(config.specimen), config.simulator);
+    make_or_resume(sim, checkpoint, square_array(config.specimen), config.simulator);
     sim->use_threads(options.threads);
-    results.begin(*sim);
-    sim->run_until(config.run.end_time, results, Progress(config.run.end_time, options.quiet));
+    drive(*sim, config.run.end_time, results, checkpoint, options.quiet);
   } catch (const RunStopped& reason) {
     sim ? results.finish(*sim, reason.what()) : results.finish_unbegun(reason.what());
+    checkpoint.discard();
     std::fprintf(stderr, "kgd: the run stopped: %s\n", reason.what());
     if (!options.quiet) std::printf("%s", results.text().c_str());
     say_where(options);
     return run_stopped;
   }
   results.finish(*sim, {});
+  checkpoint.discard();
   if (!options.quiet) std::printf("%s", results.text().c_str());
   say_where(options);
   return success;
@@ -62,7 +64,8 @@ int main(int argc, char** argv) {
   app.add_option(
          "--toughness", toughness,
          "what slits measured (toughness.toml of the program toughness), to predict the run")
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingFile)
+      ->excludes(app.get_option("--resume"));
   return guarded("kgd", app, [&] {
     app.parse(argc, argv);
     let_waiting_threads_sleep(options.threads, argv);

@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "support/checkpoint.hpp"
 #include "support/command_line.hpp"
 #include "support/manifest.hpp"
 #include "support/plate_of_lattice.hpp"
@@ -24,7 +25,10 @@ using namespace hfdem::support;
 
 namespace {
 
-std::vector<measure::SlitTest> test_slits(const ToughnessConfig& config, int threads, bool quiet) {
+/// Tests the slits that are not among `tests` yet.
+/// @throws Interrupted between two slits if the program was asked to stop
+void test_slits(const ToughnessConfig& config, const CommandLine& options, Checkpoint& checkpoint,
+                std::vector<measure::SlitTest>& tests, const Stopwatch& watch) {
   const Lattice& lattice = config.lattice;
   const double closing = std::fmin(lattice.in_situ.xx, lattice.in_situ.yy);
   if (lattice.in_situ.xx == 0 && lattice.in_situ.yy == 0)
@@ -36,9 +40,8 @@ std::vector<measure::SlitTest> test_slits(const ToughnessConfig& config, int thr
   if (lengths.back() > most)
     refuse("slits", "longest", std::to_string(config.slits.longest),
            "at most " + std::to_string(most) + ": a slit needs rock ahead of its tips");
-  ProgressLine progress(quiet);
-  std::vector<measure::SlitTest> tests;
-  for (const int contacts : lengths) {
+  ProgressLine progress(options.quiet);
+  while (tests.size() < lengths.size()) {
     LatticeSlit slit(square_array(lattice.specimen),
                      {.contact = lattice.contact,
                       .aperture = lattice.aperture,
@@ -46,8 +49,8 @@ std::vector<measure::SlitTest> test_slits(const ToughnessConfig& config, int thr
                       .in_situ = lattice.in_situ,
                       .mechanics = config.mechanics,
                       .scheme = config.scheme},
-                     contacts);
-    slit.use_threads(threads);
+                     lengths[tests.size()]);
+    slit.use_threads(options.threads);
     // Well below the first break; a longer slit breaks at less pressure, about as 1 / sqrt(a).
     const double start = tests.empty()
                              ? 0.1 * std::fmax(closing, 1e6)
@@ -56,30 +59,38 @@ std::vector<measure::SlitTest> test_slits(const ToughnessConfig& config, int thr
     tests.push_back(slit.test(start, config.slits.accuracy));
     progress.show(static_cast<double>(tests.size()) / static_cast<double>(lengths.size()),
                   "slit of " + in_words(2 * slit.half_length()) + " m");
+    checkpoint.save(tests, watch);
+    if (interrupted())
+      checkpoint.interrupt("after slit " + std::to_string(tests.size()) + " of " +
+                           std::to_string(lengths.size()));
   }
-  return tests;
 }
 
 int run(const CommandLine& options, const ToughnessConfig& config, const Manifest& manifest) {
   const OutputFolder folder(options.out);
+  Checkpoint checkpoint(options, manifest, to_toml(config));
   folder.discard({"report.html", "summary.json", "toughness.toml", "slits.csv", "toughness.svg",
                   "opening.svg"});
   folder.write("config.toml", to_toml(config));
   try {
-    const Stopwatch watch;
+    Stopwatch watch;
+    std::vector<measure::SlitTest> tests;
+    if (checkpoint.resumes()) checkpoint.load(tests, watch);
+    test_slits(config, options, checkpoint, tests, watch);
     const Lattice& l = config.lattice;
     const analytic::LatticeFracture rock = square_lattice(l);
     const analytic::CrackedPlate plate = plate_of(l.specimen, l.boundary, l.in_situ, rock);
-    const auto test =
-        measure::toughness_test(test_slits(config, options.threads, options.quiet), plate, rock);
+    const auto test = measure::toughness_test(tests, plate, rock);
     validate(test.rock, "toughness");
-    const ToughnessResults results(config, test, manifest, watch.seconds());
+    const ToughnessResults results(config, test, checkpoint.manifest(), watch.seconds());
     results.write(folder);
+    checkpoint.discard();
     if (!options.quiet)
       std::printf("%sOpen this in a browser: %s/report.html\n", results.text().c_str(),
                   options.out.c_str());
     return success;
   } catch (const RunStopped& reason) {
+    checkpoint.discard();
     std::fprintf(stderr, "toughness: the run stopped: %s\n", reason.what());
     return run_stopped;
   }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include <hfdem/observe/history.hpp>
 #include <hfdem/observe/report.hpp>
 
+#include "support/growing_file.hpp"
 #include "support/output_folder.hpp"
 #include "support/run_report.hpp"
 #include "support/summary.hpp"
@@ -23,10 +23,13 @@ template <class Sim>
 class EnergyRecord {
  public:
   /// @param interval s; a row follows the first fluid step at or after each multiple of it
-  EnergyRecord(const OutputFolder& folder, double interval)
-      : folder_(folder), interval_(interval), file_(folder.open("energy.csv")) {
-    file_ << "time_s,boundary_work_J_per_m,fluid_work_J_per_m,elastic_J_per_m,kinetic_J_per_m,"
-             "friction_J_per_m,damping_J_per_m,breaks_J_per_m,switching_J_per_m,relative_error\n";
+  /// @param resumes whether the run goes on with what is in the folder
+  EnergyRecord(const OutputFolder& folder, double interval, bool resumes)
+      : interval_(interval), file_(folder, "energy.csv", resumes) {
+    if (resumes) return;
+    file_.out()
+        << "time_s,boundary_work_J_per_m,fluid_work_J_per_m,elastic_J_per_m,kinetic_J_per_m,"
+           "friction_J_per_m,damping_J_per_m,breaks_J_per_m,switching_J_per_m,relative_error\n";
   }
 
   void mechanical_step(const Sim& sim) { ledger_.mechanical_step(sim); }
@@ -37,12 +40,16 @@ class EnergyRecord {
     const auto& e = ledger_.entries();
     times_.push_back(sim.time());
     entries_.push_back(e);
-    observe::write_row(file_, {sim.time(), e.boundary, e.fluid, e.elastic, e.kinetic, e.friction,
-                               e.damping, e.breaks, e.switching, ledger_.relative_error()});
+    observe::write_row(
+        file_.out(), {sim.time(), e.boundary, e.fluid, e.elastic, e.kinetic, e.friction, e.damping,
+                      e.breaks, e.switching, ledger_.relative_error()});
   }
 
   /// @throws OutputFailed if anything written was lost
-  void close() { folder_.close(file_, "energy.csv"); }
+  void close() { file_.close(); }
+
+  /// What the run has come to so far.
+  void exchange(auto& archive) { archive(next_, file_, ledger_, times_, entries_); }
 
   void summarise(Summary& s) const {
     const auto& e = ledger_.entries();
@@ -124,9 +131,8 @@ class EnergyRecord {
     return table;
   }
 
-  const OutputFolder& folder_;
   double interval_, next_ = 0;
-  std::ofstream file_;
+  GrowingFile file_;
   measure::EnergyLedger<typename Sim::ContactPolicy> ledger_;
   std::vector<double> times_;
   std::vector<measure::EnergyEntries> entries_;

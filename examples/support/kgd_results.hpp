@@ -12,6 +12,7 @@
 #include <hfdem/observe/paraview.hpp>
 
 #include "support/energy_record.hpp"
+#include "support/growing_file.hpp"
 #include "support/kgd_report.hpp"
 #include "support/output_folder.hpp"
 #include "support/progress.hpp"
@@ -24,28 +25,23 @@ namespace hfdem::support {
 class KgdResults {
  public:
   /// @param measured toughness to predict the run with, if there is some
+  /// @param resumes whether the run goes on with what is in the folder
   KgdResults(const OutputFolder& folder, const KgdConfig& config, const Manifest& manifest,
-             std::optional<MeasuredToughness> measured)
+             std::optional<MeasuredToughness> measured, bool resumes)
       : folder_(folder),
         config_(config),
         manifest_(manifest),
         measured_(std::move(measured)),
         far_field_(std::fmin(config.simulator.in_situ.xx, config.simulator.in_situ.yy)),
-        history_file_(folder.open("history.csv")),
-        history_(history_file_, config.run.output_interval, far_field_),
+        history_file_(folder, "history.csv", resumes),
+        history_(history_file_.out(), config.run.output_interval, far_field_),
         paraview_(folder.path() / "paraview", config.run.snapshot_interval) {
-    if (config.run.energy) energy_.emplace(folder, config.run.output_interval);
+    if (config.run.energy) energy_.emplace(folder, config.run.output_interval, resumes);
   }
 
-  /// Call once the specimen has settled.
+  /// Call once the specimen has settled; not for a run that is resumed.
   void begin(const Kgd& sim) {
     moduli_ = moduli(sim);
-    try {
-      if (measured_)
-        prediction_.emplace(*measured_, config_, static_cast<int>(sim.preset_contacts().size()));
-    } catch (const InvalidParameter& e) {
-      no_prediction_ = e.what();  // no reason not to run
-    }
     paraview_.write(sim);
     watch_ = Stopwatch();
   }
@@ -64,8 +60,16 @@ class KgdResults {
 
   void bond_break(const Kgd&, const BondBreak& b) { see_pressure(b.pressure); }
 
+  /// What the run has come to so far.
+  void exchange(auto& archive) {
+    archive(measured_, history_file_, history_, paraview_, moduli_.young, moduli_.poisson,
+            unconverged_, peak_pressure_, watch_);
+    if (energy_) archive(*energy_);
+  }
+
   /// @param stopped why the run ended before its time; empty if it did not
   void finish(const Kgd& sim, const std::string& stopped) {
+    predict(sim);
     const KgdOutcome outcome{measure::crack_shape(sim),
                              paper_kgd(config_, sim.time()),
                              far_field_,
@@ -74,7 +78,7 @@ class KgdResults {
                              {stopped, unconverged_, watch_.seconds()},
                              predicted(sim)};
     paraview_.write(sim);
-    folder_.close(history_file_, "history.csv");
+    history_file_.close();
     if (energy_) energy_->close();
     std::ofstream profile = folder_.open("profile.csv"), cracks = folder_.open("cracks.csv");
     observe::write_profile(profile, sim);
@@ -96,7 +100,7 @@ class KgdResults {
 
   /// @param reason why the specimen could not even settle
   void finish_unbegun(const std::string& reason) {
-    folder_.close(history_file_, "history.csv");
+    history_file_.close();
     if (energy_) energy_->close();
     folder_.write("report.html", KgdReport(config_, manifest_).html(reason));
   }
@@ -115,6 +119,15 @@ class KgdResults {
           sim.specimen(), sim.params().contact, sim.params().in_situ, sim.params().mechanics);
     } catch (const RunStopped&) {
       return {NAN, NAN};  // stresses that break the intact specimen: no elastic answer
+    }
+  }
+
+  void predict(const Kgd& sim) {
+    try {
+      if (measured_)
+        prediction_.emplace(*measured_, config_, static_cast<int>(sim.preset_contacts().size()));
+    } catch (const InvalidParameter& e) {
+      no_prediction_ = e.what();  // no reason not to show the run
     }
   }
 
@@ -205,7 +218,7 @@ class KgdResults {
   std::optional<Prediction> prediction_;
   std::string no_prediction_;
   double far_field_;
-  std::ofstream history_file_;
+  GrowingFile history_file_;
   observe::History history_;
   observe::ParaView paraview_;
   std::optional<EnergyRecord<Kgd>> energy_;  // if the books are kept

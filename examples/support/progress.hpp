@@ -12,10 +12,23 @@ namespace hfdem::support {
 class Stopwatch {
  public:
   double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return before_ +
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  /// The time so far: that of a resumed run goes on.
+  template <class Archive>
+  void exchange(Archive& archive) {
+    double so_far = seconds();
+    archive(so_far);
+    if constexpr (Archive::loads) {
+      before_ = so_far;
+      start_ = std::chrono::steady_clock::now();
+    }
   }
 
  private:
+  double before_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -31,16 +44,18 @@ class ProgressLine {
 
   /// @param done part of the whole, 0 to 1
   void show(double done, const std::string& where) {
+    if (begun_ < 0) begun_ = done;  // a resumed run has a part behind it
     if (!shown_ || watch_.seconds() < next_) return;
     next_ = watch_.seconds() + 0.2;
     std::fprintf(stderr, "\r  %s  %3.0f %%", where.c_str(), 100 * done);
-    if (done > 0)
-      std::fprintf(stderr, "  about %.0f s left   ", watch_.seconds() * (1 - done) / done);
+    if (done > begun_)
+      std::fprintf(stderr, "  about %.0f s left   ",
+                   watch_.seconds() * (1 - done) / (done - begun_));
     written_ = true;
   }
 
  private:
-  double next_ = 0.5;
+  double next_ = 0.5, begun_ = -1;
   bool shown_, written_ = false;
   Stopwatch watch_;
 };

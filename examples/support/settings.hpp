@@ -107,6 +107,10 @@ struct SectionTree {
   void for_each_section(F&& f) const {
     Tree::visit(static_cast<const Tree&>(*this), f);
   }
+  /// Every section.
+  void exchange(auto& archive) {
+    for_each_section([&](std::string_view, auto& section) { archive(section); });
+  }
 };
 
 /// Applies one setting to a tree of sections.

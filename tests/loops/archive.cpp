@@ -111,7 +111,7 @@ TEST_CASE("every kind of value comes back to the last bit") {
   CHECK(back.flags == whole.flags);
   CHECK(back.texts == whole.texts);
   for (std::size_t lane = 0; lane < 4; ++lane)
-    CHECK(back.rows[1][lane] == static_cast<double>(5 + lane));
+    CHECK(test::bits(back.rows[1][lane]) == test::bits(static_cast<double>(5 + lane)));
   CHECK(back.described.rate == 3e-4);
   CHECK(back.described.position == whole.described.position);
 }

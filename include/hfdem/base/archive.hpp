@@ -7,15 +7,12 @@
 ///
 /// What follows from the parameters is made by the constructor and does not belong there. Every
 /// number takes eight bytes, the least significant first; lists and texts are preceded by their
-/// length. A *sealed* state is a line that says what it is, its length, the content, and a checksum
-/// of all this: the 64-bit FNV-1a hash (G. Fowler, L. C. Noll, P. Vo), which no single wrong byte
-/// leaves unchanged.
+/// length. What is saved is sealed (base/seal.hpp).
 #pragma once
 
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +23,7 @@
 
 #include <hfdem/base/errors.hpp>
 #include <hfdem/base/fields.hpp>
+#include <hfdem/base/seal.hpp>
 
 namespace hfdem {
 
@@ -33,15 +31,6 @@ static_assert(std::endian::native == std::endian::little,
               "archives keep numbers as they are in memory, the least significant byte first");
 
 namespace detail {
-
-/// The first line of a sealed state; the number is the format's version.
-inline constexpr std::string_view archive_title = "hfdem state ", archive_version = "1\n";
-
-inline std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return hash;
-}
 
 template <class>
 inline constexpr bool is_vector = false;
@@ -57,6 +46,15 @@ concept lists_what_evolves = requires(T& value, Archive& archive) {
   value.exchange(archive);
 };
 
+/// The class that a member function was declared in, a base perhaps.
+template <class Class, class Archive>
+Class declared_in(void (Class::*)(Archive&));
+/// A list inherited from a base knows nothing of what a class adds to it, unless the base is empty
+/// and asks the class.
+template <class T, class Archive>
+concept lists_its_own = std::is_same_v<T, decltype(declared_in(&T::template exchange<Archive>))> ||
+    std::is_empty_v<decltype(declared_in(&T::template exchange<Archive>))>;
+
 }  // namespace detail
 
 /// What both directions share: which bytes a value has. `Direction` moves them.
@@ -69,6 +67,9 @@ class Archive {
   void one(T& value) {
     Direction& archive = static_cast<Direction&>(*this);
     if constexpr (detail::lists_what_evolves<T, Direction>) {
+      static_assert(detail::lists_its_own<T, Direction>,
+                    "This class inherits its member `void exchange(auto& archive)`, which does not "
+                    "know what the class adds: it needs one of its own that lists all.");
       value.exchange(archive);
     } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
       archive.number(value);
@@ -136,14 +137,8 @@ class Saver : public Archive<Saver> {
     (one(const_cast<T&>(values)), ...);
   }
 
-  /// Everything so far with title, length and checksum.
-  std::string sealed() const {
-    const std::uint64_t size = content_.size();
-    std::string all = std::string(detail::archive_title) + std::string(detail::archive_version);
-    all.append(reinterpret_cast<const char*>(&size), sizeof size) += content_;
-    const std::uint64_t sum = detail::checksum(all);
-    return all.append(reinterpret_cast<const char*>(&sum), sizeof sum);
-  }
+  /// Everything so far, sealed.
+  std::string sealed() const { return seal(content_); }
 
  private:
   friend Archive<Saver>;
@@ -179,25 +174,9 @@ class Loader : public Archive<Loader> {
   /// @param name of where it comes from, for messages
   /// @throws InvalidParameter if it is no sealed state, or damaged
   Loader(std::string sealed, std::string name) : all_(std::move(sealed)), name_(std::move(name)) {
-    const std::string_view title = detail::archive_title, version = detail::archive_version;
-    if (all_.compare(0, title.size(), title) != 0)
-      wrong("is no saved state: it does not begin with \"" + std::string(title) + "\"");
-    if (all_.compare(title.size(), version.size(), version) != 0)
-      wrong("is of another version of the format than the only one known, " +
-            std::string(version.substr(0, version.size() - 1)));
-    constexpr std::size_t number = sizeof(std::uint64_t);
-    place_ = title.size() + version.size();
-    if (all_.size() < place_ + 2 * number)
-      wrong("is cut off at byte " + std::to_string(all_.size()));
-    end_ = all_.size() - number;
-    std::uint64_t size = 0, sum = 0;
-    bytes(&size, number);
-    if (size != end_ - place_)
-      wrong("is cut off or damaged: it has " + std::to_string(end_ - place_) +
-            " bytes of content where it says " + std::to_string(size));
-    std::memcpy(&sum, all_.data() + end_, number);
-    if (sum != detail::checksum(std::string_view(all_).substr(0, end_)))
-      wrong("is damaged: its checksum is not that of its " + std::to_string(size) + " bytes");
+    const std::string_view content = unseal(all_, name_);
+    place_ = static_cast<std::size_t>(content.data() - all_.data());
+    end_ = place_ + content.size();
   }
 
   /// Replaces values by the next ones. A span must be as long as it was.

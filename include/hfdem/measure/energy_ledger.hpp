@@ -67,6 +67,12 @@ struct EnergyInstant {
   std::array<Pack, 4> platen_force{};         ///< of the discs on each platen
   std::vector<ContactInstant<Law>> contacts;  ///< between discs
   std::vector<ContactInstant<SmoothPlaten>> platens;  ///< on platens
+
+  /// All of it.
+  void exchange(auto& archive) {
+    archive(step, breaks, kinetic, place, damped, fluid, std::span(platen_force), contacts,
+            platens);
+  }
 };
 
 /// An observer of mechanical steps that keeps the books. It books what happens between two steps
@@ -106,6 +112,11 @@ class EnergyLedger {
   }
   /// The largest of these after any step.
   double worst_relative_error() const { return worst_error_; }
+
+  /// The books so far.
+  void exchange(auto& archive) {
+    archive(std::span(&entries_, 1), work_done_, stored_, worst_error_, open_, before_);
+  }
 
  private:
   /// Of the lanes (x, y, rotation) of a body's row; the fourth is the twin of the third.

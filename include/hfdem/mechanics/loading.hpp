@@ -123,7 +123,7 @@ class Loading {
   }
 
   /// What the boundary holds at present.
-  void exchange(auto& archive) { archive(stress_, std::span(dead_load_)); }
+  void exchange(auto& archive) { archive(stress_, std::span(dead_load_), std::span(advance_)); }
 
  private:
   double correction(Side side, const Discs& discs, const ForceRows& forces) const {
