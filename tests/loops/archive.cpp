@@ -138,6 +138,8 @@ TEST_CASE("a file cut off at any place, or with something behind it, is refused"
   const std::string sound = sealed(example());
   for (std::size_t length = 0; length < sound.size(); ++length)
     CHECK(begins(refusal(sound.substr(0, length)), "out/checkpoint is "));
+  CHECK(begins(refusal(sound.substr(0, sound.size() - 1)),
+               "out/checkpoint is cut off or damaged: it has "));
   CHECK(begins(refusal(sound + "x"), "out/checkpoint is cut off or damaged: it has "));
   CHECK(begins(refusal(sound + sound), "out/checkpoint is cut off or damaged: it has "));
 }

@@ -116,7 +116,10 @@ class ContactRange {
   }
 
   /// What is left of the bonds, and what the contacts remember.
-  void exchange(auto& archive) { archive(stiffness_, memory_); }
+  void exchange(auto& archive) {
+    if constexpr (BreakableLaw<Law>) archive(stiffness_);
+    archive(memory_);
+  }
 
  private:
   struct Bodies {
