@@ -7,6 +7,7 @@
 // open out/intact/report.html. `--quick` runs a tenth of the area in some seconds; `--seed` takes
 // another rock; `--help` lists the options.
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,57 +19,80 @@
 #include "support/intact_seeds.hpp"
 #include "support/manifest.hpp"
 #include "support/polite_threads.hpp"
-#include "support/progress.hpp"
+#include "support/run_loop.hpp"
 
 using namespace hfdem;
 using namespace hfdem::support;
 
 namespace {
 
-/// One rock. The results stay readable; what ended the run early is said in their outcome.
+/// One rock, from its begin or from its checkpoint. What ended the run early is said in its
+/// outcome.
 std::unique_ptr<IntactResults> run(const OutputFolder& folder, const IntactConfig& config,
                                    const Specimen& specimen, const CommandLine& options,
-                                   const Manifest& manifest) {
-  folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.txt",
-                  "fracture.svg", "aperture_map.svg", "pressure_map.svg", "stress.svg",
-                  "pressure.svg", "tips.svg", "length.svg", "aperture.svg", "energy.csv"});
+                                   Checkpoint& checkpoint) {
+  if (!checkpoint.resumes())
+    folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.txt",
+                    "fracture.svg", "aperture_map.svg", "pressure_map.svg", "stress.svg",
+                    "pressure.svg", "tips.svg", "length.svg", "aperture.svg", "energy.csv"});
   folder.write("config.toml", to_toml(config));
-  auto results = std::make_unique<IntactResults>(folder, config, manifest);
+  auto results =
+      std::make_unique<IntactResults>(folder, config, checkpoint.manifest(), checkpoint.resumes());
   std::optional<Rock> sim;
-  const RunEnd end = run_to_the_end(
-      sim, specimen, config, options.threads, [&] { results->begin(*sim); }, *results,
-      Progress(config.run.end_time, options.quiet));
+  const RunEnd end = end_of([&] {
+    make_or_resume(sim, checkpoint, specimen, config.simulator);
+    sim->use_threads(options.threads);
+    drive(*sim, config.run.end_time, *results, checkpoint, options.quiet);
+  });
   sim ? results->finish(*sim, end) : results->finish_unbegun(end.stopped);
+  checkpoint.discard();
   if (!end.stopped.empty())
     std::fprintf(stderr, "intact: the run stopped: %s\n", end.stopped.c_str());
   if (!options.quiet && sim) std::printf("%s", results->text(*sim).c_str());
   return results;
 }
 
-int run_one(const CommandLine& options, const IntactConfig& config, const Specimen& specimen,
-            const Manifest& manifest) {
+int run_one(const CommandLine& options, const IntactConfig& config,
+            const std::string& specimen_file, const Manifest& manifest) {
+  Checkpoint checkpoint(options, manifest, to_toml(config));
+  const std::string file = checkpoint.resumes() ? options.out + "/specimen.txt" : specimen_file;
+  const Specimen specimen =
+      file.empty() ? random_packing(config.specimen, options.threads) : load_specimen(file);
   const OutputFolder folder(options.out);
-  const auto results = run(folder, config, specimen, options, manifest);
+  const auto results = run(folder, config, specimen, options, checkpoint);
   if (!options.quiet) std::printf("Open this in a browser: %s/report.html\n", options.out.c_str());
   return results->stopped() ? run_stopped : success;
 }
 
 int run_seeds(const CommandLine& options, IntactConfig config, int seeds,
               const Manifest& manifest) {
+  Checkpoint checkpoint(options, manifest, to_toml(config));
   const OutputFolder folder(options.out);
   folder.discard(IntactSeeds::files);
   folder.write("config.toml", to_toml(config));
-  IntactSeeds all(config, manifest);
+  IntactSeeds all(config, checkpoint.manifest());
+  checkpoint.resumes() ? checkpoint.load(all) : checkpoint.save(all);
   const int first = config.specimen.seed;
-  for (int seed = first; seed < first + seeds; ++seed) {
-    config.specimen.seed = seed;
-    if (!options.quiet) std::printf("seed %d (%d of %d)\n", seed, seed - first + 1, seeds);
-    const OutputFolder of_seed(options.out + "/seed_" + std::to_string(seed));
-    const auto results =
-        run(of_seed, config, random_packing(config.specimen, options.threads), options, manifest);
-    all.add(seed, *results);
+  for (int k = all.done(); k < seeds; ++k) {
+    config.specimen.seed = first + k;
+    if (!options.quiet) std::printf("seed %d (%d of %d)\n", config.specimen.seed, k + 1, seeds);
+    CommandLine of_seed = options;
+    of_seed.out = options.out + "/seed_" + std::to_string(config.specimen.seed);
+    const bool begun = std::filesystem::exists(checkpoint_file(of_seed.out));
+    of_seed.resume = begun && checkpoint.resumes() ? of_seed.out : "";
+    try {
+      Checkpoint inner(of_seed, manifest, to_toml(config));
+      const OutputFolder inner_folder(of_seed.out);
+      const auto results = run(inner_folder, config,
+                               random_packing(config.specimen, options.threads), of_seed, inner);
+      all.add(config.specimen.seed, *results);
+    } catch (const Interrupted&) {
+      checkpoint.interrupt("in the rock of seed " + std::to_string(config.specimen.seed));
+    }
+    checkpoint.save(all);
   }
   all.write(folder);
+  checkpoint.discard();
   if (!options.quiet)
     std::printf("%sOpen this in a browser: %s/report.html\n", all.text().c_str(),
                 options.out.c_str());
@@ -106,13 +130,12 @@ int main(int argc, char** argv) {
     if (seed) config.specimen.seed = *seed;
     options.configure(config);
     config.simulator.scheme = config.simulator.scheme.resolved();
-    const Manifest made = manifest("intact", argc, argv, options.threads,
-                                   specimen.empty() ? std::to_string(config.specimen.seed)
-                                                    : "none: the specimen is from a file");
-    if (seeds > 1) return run_seeds(options, config, seeds, made);
-    return run_one(options, config,
-                   specimen.empty() ? random_packing(config.specimen, options.threads)
-                                    : load_specimen(specimen),
-                   made);
+    // A checkpoint of several rocks is none of a single one.
+    const Manifest made =
+        manifest(seeds > 1 ? "intact --seeds" : "intact", argc, argv, options.threads,
+                 specimen.empty() ? std::to_string(config.specimen.seed)
+                                  : "none: the specimen is from a file");
+    return seeds > 1 ? run_seeds(options, config, seeds, made)
+                     : run_one(options, config, specimen, made);
   });
 }

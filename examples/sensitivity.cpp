@@ -13,7 +13,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "support/checkpoint.hpp"
 #include "support/command_line.hpp"
+#include "support/interrupts.hpp"
 #include "support/manifest.hpp"
 #include "support/polite_threads.hpp"
 #include "support/progress.hpp"
@@ -24,15 +26,21 @@ using namespace hfdem::support;
 
 namespace {
 
-/// Of one rock; not numbers if its run stopped.
-std::vector<double> readings_of(const IntactConfig& config, int threads,
-                                const std::vector<RockReading>& readings) {
+/// Of one rock; not numbers if its run stopped, nothing if the program was asked to stop.
+std::optional<std::vector<double>> readings_of(const IntactConfig& config, int threads,
+                                               const std::vector<RockReading>& readings) {
   std::ostringstream history;
   IntactRecorder recorder(config, history);
   std::optional<Rock> sim;
-  const RunEnd end = run_to_the_end(
-      sim, random_packing(config.specimen, threads), config, threads, [&] { recorder.begin(); },
-      recorder);
+  bool whole = true;
+  const RunEnd end = end_of([&] {
+    sim.emplace(random_packing(config.specimen, threads), config.simulator);
+    sim->use_threads(threads);
+    recorder.begin();
+    whole =
+        sim->run_until(config.run.end_time, recorder, [](const Rock&) { return !interrupted(); });
+  });
+  if (!whole) return {};
   if (!end.stopped.empty()) return std::vector<double>(readings.size(), NAN);
   const IntactOutcome outcome = recorder.outcome(*sim, end);
   std::vector<double> values;
@@ -72,27 +80,34 @@ std::string report(const IntactConfig& base, const SensitivityResults& results, 
 
 int run(const CommandLine& options, const IntactConfig& base, std::vector<Variation> rows,
         int seeds, const Manifest& made) {
+  Checkpoint checkpoint(options, made, to_toml(base));
   const OutputFolder folder(options.out);
   folder.discard({"report.html", "table.md", "runs.csv"});
   folder.write("config.toml", to_toml(base));
   rows.insert(rows.begin(), {"base", {}});
   for (const Variation& row : rows) varied(base, row);  // refuses before any run
   const auto readings = sensitivity_readings();
+  checkpoint.resumes() ? checkpoint.load(rows) : checkpoint.save(rows);
   ProgressLine progress(options.quiet);
   std::size_t done = 0;
   for (Variation& row : rows) {
     IntactConfig config = varied(base, row);
     for (int s = 0; s < seeds; ++s) {
-      progress.show(static_cast<double>(done++) / static_cast<double>(rows.size() * seeds),
+      progress.show(static_cast<double>(done++) / (static_cast<double>(rows.size()) * seeds),
                     row.name);
+      if (static_cast<std::size_t>(s) < row.readings.size()) continue;  // before it was resumed
       config.specimen.seed = base.specimen.seed + s;
-      row.readings.push_back(readings_of(config, options.threads, readings));
+      const auto values = readings_of(config, options.threads, readings);
+      if (!values) checkpoint.interrupt("in the row \"" + row.name + "\"");
+      row.readings.push_back(*values);
+      checkpoint.save(rows);
     }
   }
   const SensitivityResults results(rows, readings);
   folder.write("table.md", results.markdown());
   folder.write("runs.csv", results.csv(base.specimen.seed));
-  folder.write("report.html", report(base, results, seeds, made));
+  folder.write("report.html", report(base, results, seeds, checkpoint.manifest()));
+  checkpoint.discard();
   if (!options.quiet)
     std::printf("%sOpen this in a browser: %s/report.html\n", results.markdown().c_str(),
                 options.out.c_str());

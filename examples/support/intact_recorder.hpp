@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -20,17 +19,11 @@ struct RunEnd {
   bool at_rim = false;    ///< because the crack reached the rim: no failure
 };
 
-/// Makes and drives a simulator until its end time, or until the crack reaches the rim.
-/// @param sim empty; left empty if the specimen could not even settle
-/// @param begin called with the settled simulator
-template <class Sim, class Begin, class... Observers>
-RunEnd run_to_the_end(std::optional<Sim>& sim, const Specimen& specimen, const IntactConfig& config,
-                      int threads, Begin&& begin, Observers&&... observers) {
+/// Carries a run through whatever may end it; a crack at the rim is no failure.
+template <class Run>
+RunEnd end_of(Run&& run) {
   try {
-    sim.emplace(specimen, config.simulator);
-    sim->use_threads(threads);
-    begin();
-    sim->run_until(config.run.end_time, observers...);
+    run();
   } catch (const ReachedRim&) {
     return {.at_rim = true};
   } catch (const RunStopped& reason) {
@@ -55,6 +48,9 @@ class IntactRecorder {
     peak_pressure_ = std::fmax(peak_pressure_, sim.injection_pressure());
     unconverged_ += step.converged ? 0 : 1;
   }
+
+  /// What the run has come to so far.
+  void exchange(auto& archive) { archive(growth_, peak_pressure_, unconverged_, watch_); }
 
   /// @param how the run ended
   template <class Sim>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -13,6 +12,7 @@
 #include <hfdem/setup/specimen_file.hpp>
 
 #include "support/energy_record.hpp"
+#include "support/growing_file.hpp"
 #include "support/intact_recorder.hpp"
 #include "support/intact_report.hpp"
 #include "support/output_folder.hpp"
@@ -24,17 +24,19 @@ namespace hfdem::support {
 /// run, what was written stays.
 class IntactResults {
  public:
-  IntactResults(const OutputFolder& folder, const IntactConfig& config, const Manifest& manifest)
+  /// @param resumes whether the run goes on with what is in the folder
+  IntactResults(const OutputFolder& folder, const IntactConfig& config, const Manifest& manifest,
+                bool resumes)
       : folder_(folder),
         config_(config),
         manifest_(manifest),
-        history_file_(folder.open("history.csv")),
-        recorder_(config, history_file_),
+        history_file_(folder, "history.csv", resumes),
+        recorder_(config, history_file_.out()),
         paraview_(folder.path() / "paraview", config.run.snapshot_interval) {
-    if (config.run.energy) energy_.emplace(folder, config.run.output_interval);
+    if (config.run.energy) energy_.emplace(folder, config.run.output_interval, resumes);
   }
 
-  /// Call once the specimen has settled.
+  /// Call once the specimen has settled; not for a run that is resumed.
   void begin(const Rock& sim) {
     save_specimen((folder_.path() / "specimen.txt").string(), sim.specimen());
     paraview_.write(sim);
@@ -51,12 +53,18 @@ class IntactResults {
     paraview_.fluid_step(sim, step);
   }
 
+  /// What the run has come to so far.
+  void exchange(auto& archive) {
+    archive(history_file_, recorder_, paraview_);
+    if (energy_) archive(*energy_);
+  }
+
   /// @param how the run ended
   void finish(const Rock& sim, const RunEnd& how) {
     outcome_ = recorder_.outcome(sim, how);
     outcome_.moduli = moduli(sim);
     paraview_.write(sim);
-    folder_.close(history_file_, "history.csv");
+    history_file_.close();
     if (energy_) energy_->close();
     folder_.write("profile.csv", profile(sim));
     std::ostringstream cracks;
@@ -79,7 +87,7 @@ class IntactResults {
   /// @param reason why the specimen could not even settle
   void finish_unbegun(const std::string& reason) {
     outcome_.run.stopped = reason;
-    folder_.close(history_file_, "history.csv");
+    history_file_.close();
     if (energy_) energy_->close();
     folder_.write("report.html", IntactReport(config_, manifest_).html(reason));
   }
@@ -148,7 +156,7 @@ class IntactResults {
   const OutputFolder& folder_;
   const IntactConfig& config_;
   const Manifest& manifest_;
-  std::ofstream history_file_;
+  GrowingFile history_file_;
   IntactRecorder recorder_;
   observe::ParaView paraview_;
   std::optional<EnergyRecord<Rock>> energy_;  // if the books are kept

@@ -75,10 +75,16 @@ class IntactSeeds {
       stopped_.push_back(seed);
       return;
     }
-    runs_.push_back({seed, run.outcome(), run.growth().instants(), {}});
+    runs_.push_back({seed, run.growth().instants(), {}});
     for (const RockReading& r : readings_)
       runs_.back().values.push_back(r.read(run.outcome(), run.growth()));
   }
+
+  /// How many rocks are done, runs that stopped among them.
+  int done() const { return static_cast<int>(runs_.size() + stopped_.size()); }
+
+  /// What the runs have come to so far.
+  void exchange(auto& archive) { archive(runs_, stopped_); }
 
   void write(const OutputFolder& folder) const {
     folder.write("seeds.csv", table());
@@ -113,10 +119,11 @@ class IntactSeeds {
 
  private:
   struct Run {
-    int seed;
-    IntactOutcome outcome;
-    std::vector<observe::GrowthInstant> history;
-    std::vector<double> values;  ///< one per reading
+    int seed = 0;
+    std::vector<observe::GrowthInstant> history{};
+    std::vector<double> values{};  ///< one per reading
+
+    void exchange(auto& archive) { archive(seed, history, values); }
   };
 
   /// The values that the runs have for one reading.

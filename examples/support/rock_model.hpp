@@ -40,6 +40,7 @@ struct Readings {
 struct IntactConfig : SectionTree<IntactConfig> {
   RandomPacking specimen{.grains = 17511};
   Rock::Params simulator{.crack = {.length = 0.032},
+                         .mechanics = {.settle_tolerance = 5e-4},
                          .scheme = {.fluid_dt = 1e-3,
                                     .equilibrium = true,
                                     .max_mechanical_steps = 500,

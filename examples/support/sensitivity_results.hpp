@@ -17,6 +17,8 @@ struct Variation {
   std::string name;                             ///< in words
   std::vector<std::string> assignments;         ///< section.key=value; none for the base
   std::vector<std::vector<double>> readings{};  ///< per seed, one per reading; NAN if stopped
+
+  void exchange(auto& archive) { archive(name, assignments, readings); }
 };
 
 /// The parameters that a user may doubt, one at a time.

@@ -70,7 +70,7 @@ struct EnergyInstant {
 
   /// All of it.
   void exchange(auto& archive) {
-    archive(step, breaks, kinetic, place, damped, fluid, std::span(platen_force), contacts,
+    archive(step, breaks, kinetic, place, damped, fluid, std::span<Pack>(platen_force), contacts,
             platens);
   }
 };
@@ -115,7 +115,8 @@ class EnergyLedger {
 
   /// The books so far.
   void exchange(auto& archive) {
-    archive(std::span(&entries_, 1), work_done_, stored_, worst_error_, open_, before_);
+    archive(std::span<EnergyEntries>(&entries_, 1), work_done_, stored_, worst_error_, open_,
+            before_);
   }
 
  private:

@@ -123,7 +123,9 @@ class Loading {
   }
 
   /// What the boundary holds at present.
-  void exchange(auto& archive) { archive(stress_, std::span(dead_load_), std::span(advance_)); }
+  void exchange(auto& archive) {
+    archive(stress_, std::span(dead_load_), std::span<std::optional<double>>(advance_));
+  }
 
  private:
   double correction(Side side, const Discs& discs, const ForceRows& forces) const {

@@ -85,6 +85,9 @@ class Growth {
                static_cast<double>(sim.mechanical_steps()), step.converged ? 1.0 : 0.0});
   }
 
+  /// What was written; the stream itself must be taken up by its owner.
+  void exchange(auto& archive) { archive(next_, instants_); }
+
   /// The rows written so far.
   const std::vector<GrowthInstant>& instants() const { return instants_; }
 
