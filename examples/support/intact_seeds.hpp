@@ -103,15 +103,17 @@ class IntactSeeds {
       const auto mean = measure::SampleMean::of(values);
       const double factor = readings_[k].unit == "Pa" ? 1e6 : 1;
       const bool microns = readings_[k].key.find("aperture") != std::string::npos;
+      const auto said_as = [&](double v) {
+        return std::isfinite(v) ? observe::fixed(v * (microns ? 1e6 : 1 / factor), 3) : "-";
+      };
       char line[160];
-      std::snprintf(line, sizeof line,
-                    "%-24s %8.3f +- %-7.3f %-4s (%zu of %zu rocks, median %.3f)\n",
-                    readings_[k].name.c_str(), mean.mean * (microns ? 1e6 : 1 / factor),
-                    mean.ci95 * (microns ? 1e6 : 1 / factor),
+      std::snprintf(line, sizeof line, "%-24s %8s +- %-7s %-4s (%zu of %zu rocks, median %s)\n",
+                    readings_[k].name.c_str(), said_as(mean.mean).c_str(),
+                    said_as(mean.ci95).c_str(),
                     microns      ? "um"
                     : factor > 1 ? "MPa"
                                  : readings_[k].unit.c_str(),
-                    values.size(), runs_.size(), median(values) * (microns ? 1e6 : 1 / factor));
+                    values.size(), runs_.size(), said_as(median(values)).c_str());
       lines += line;
     }
     return lines + "mean over the rocks whose crack is still inside, and its 95 % interval\n";
