@@ -93,8 +93,9 @@ class EnergyRecord {
         .x_label = "injection time (s)",
         .y_label = "energy (J per metre of thickness)",
         .caption =
-            "Net work is what the fluid did less what the boundary took. Bonds that break set "
-            "free little themselves; most goes into the motion that follows, which damping ends.",
+            "Net work is what the fluid did less what the boundary took back. A bond that breaks "
+            "sets free what it stored itself; what the rock around it gives up becomes motion, "
+            "and damping ends that.",
         .conditions = conditions};
     using Entries = measure::EnergyEntries;
     chart.series = {line("net work", [](const Entries& e) { return e.work(); }),
@@ -115,12 +116,13 @@ class EnergyRecord {
   observe::Table table(const Sim& sim) const {
     const auto& e = ledger_.entries();
     observe::Table table{.header = {"", "J per m", "of the net work"}};
+    table.rows = {{"work of the fluid", observe::fixed(e.fluid, 3), "–"},
+                  {sim.loading().has_platens() ? "work of the platens" : "work of the dead loads",
+                   observe::fixed(e.boundary, 3), "–"}};
     const auto row = [&](const std::string& name, double value) {
       table.rows.push_back({name, observe::fixed(value, 3),
                             e.work() > 0 ? observe::fixed(100 * value / e.work(), 2, "%") : "–"});
     };
-    row("work of the fluid", e.fluid);
-    row(sim.loading().has_platens() ? "work of the platens" : "work of the dead loads", e.boundary);
     row("net work", e.work());
     row("stored in contacts", e.elastic);
     row("kinetic energy", e.kinetic);

@@ -15,6 +15,7 @@
 #include <hfdem/contact/scattered_parallel_bond.hpp>
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/measure/elastic_moduli.hpp>
+#include <hfdem/measure/energy_ledger.hpp>
 #include <hfdem/measure/mohr_coulomb.hpp>
 #include <hfdem/measure/particle_stress.hpp>
 #include <hfdem/measure/path_profile.hpp>

@@ -172,6 +172,39 @@ class KgdTest(unittest.TestCase):
             self.assertIn("scheme.alpha", done.stderr)
             self.assertIn("ran away", self.summary(gain)["stopped"])
 
+    def test_the_books_of_energy_close_in_the_table_and_in_the_summary(self):
+        options = ["--quick", "--set", "run.energy=true", "--set", "run.end_time=0.05"]
+        self.run_kgd("--quiet", *options)
+        summary = self.summary()
+        self.assertLess(summary["energy_balance_relative_error"], 1e-9)
+        self.assertGreater(summary["energy_balance_relative_error"], 0)
+        entries = {name.removesuffix("_J_per_m"): value for name, value in summary["energy"].items()}
+        self.assertGreater(entries["breaks"], 0.01 * entries["net_work"])
+        rows = self.table("energy.csv")
+        self.assertEqual([row["time_s"] for row in rows],
+                         [row["time_s"] for row in self.table("history.csv")])
+        for row in rows[9:]:
+            e = {name.removesuffix("_J_per_m"): float(value) for name, value in row.items()}
+            work = e["boundary_work"] + e["fluid_work"]
+            spent = sum(e[name] for name in ("elastic", "kinetic", "friction", "damping", "breaks",
+                                             "switching"))
+            # ten digits are written
+            self.assertLess(abs(work - spent), 1e-8 * (abs(e["boundary_work"]) + e["fluid_work"]))
+        for name in ("boundary_work", "fluid_work", "damping", "breaks"):
+            self.assertAlmostEqual(float(rows[-1][name + "_J_per_m"]) / entries[name], 1, delta=1e-8)
+        page = (self.path("out") / "report.html").read_text()
+        self.assertIn("Where the work went", page)
+
+        self.run_kgd("--quiet", *options, "--threads", "2", out="threads")
+        self.check_same_results("out", "threads")
+        self.assertEqual((self.path("out") / "energy.csv").read_bytes(),
+                         (self.path("threads") / "energy.csv").read_bytes())
+        self.run_kgd("--quiet", "--quick", "--set", "run.end_time=0.05", out="out")
+        self.assertFalse((self.path("out") / "energy.csv").exists())
+        for name in TABLES + FIGURES:  # books change nothing
+            self.assertEqual((self.path("out") / name).read_bytes(),
+                             (self.path("threads") / name).read_bytes(), name)
+
     def test_other_orientations_and_positions(self):
         self.run_kgd("--quick", "--quiet", "--set", "in_situ.xx=14e6", "--set", "in_situ.yy=10e6",
                      "--set", "injection.position=[0.15, 0.25]", "--set", "run.end_time=0.05")
