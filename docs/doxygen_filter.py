@@ -11,7 +11,7 @@ import pathlib
 import re
 import sys
 
-TABLE = re.compile(r"struct \w+ \{((?:(?!\bstruct\b).)*?)(static constexpr auto fields\(\) \{.*?\n *\}\n)",
+TABLE = re.compile(r"struct \w+(?: : [\w:]+)? \{((?:(?!\bstruct\b).)*?)(static constexpr auto fields\(\) \{.*?\n *\}\n)",
                    re.S)
 FIELD = re.compile(r'Field\{\s*"\w+",\s*&[\w:]+::(\w+),\s*"([^"]*)",\s*([^"]*?),\s*((?:"[^"]*"\s*)+)\}',
                    re.S)

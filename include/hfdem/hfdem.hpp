@@ -19,6 +19,7 @@
 #include <hfdem/measure/mohr_coulomb.hpp>
 #include <hfdem/measure/particle_stress.hpp>
 #include <hfdem/measure/path_profile.hpp>
+#include <hfdem/measure/rock_tests.hpp>
 #include <hfdem/measure/sample_mean.hpp>
 #include <hfdem/measure/slit.hpp>
 #include <hfdem/measure/toughness.hpp>

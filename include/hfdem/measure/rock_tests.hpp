@@ -16,7 +16,8 @@
 #include <vector>
 
 #include <hfdem/assembly.hpp>
-#include <hfdem/measure/elastic_moduli.hpp>
+#include <hfdem/measure/mean_strain.hpp>
+#include <hfdem/measure/rock_test.hpp>
 #include <hfdem/measure/slit_readings.hpp>
 #include <hfdem/neighbours/cell_grid.hpp>
 #include <hfdem/setup/brazilian_disc.hpp>
@@ -43,32 +44,6 @@ struct LoadFrame {
         Field{"grip_depth", &P::grip_depth, "m", positive,
               "of the layer of discs that each grip holds in direct tension"}};
   }
-};
-
-/// What is read at one moment; stress and strain are positive in the direction of the test.
-struct LoadReading {
-  double strain;    ///< of the length between the ends
-  double stress;    ///< mean of both ends, Pa
-  Vec2 shortening;  ///< mean strains of the free grains since loading began; negative in tension
-};
-
-/// A bond that broke in a test.
-struct TestBreak {
-  double strain;            ///< at which it broke; 0 under the confinement alone
-  Mode mode;                ///< how
-  ContactGeometry contact;  ///< between which discs
-};
-
-/// A test that has been made.
-struct RockTest {
-  double confinement = 0;            ///< Pa
-  double strength = 0;               ///< largest stress that an end has carried, Pa
-  double strain_at_strength = 0;     ///< -
-  long steps = 0;                    ///< mechanical ones, settling included
-  std::vector<LoadReading> curve{};  ///< at even strains
-  std::vector<TestBreak> breaks{};   ///< in order
-  Specimen specimen{};               ///< before the test
-  std::vector<Vec2> displacement{};  ///< of the discs at the end, m
 };
 
 namespace detail {
@@ -241,8 +216,7 @@ RockTest direct_tension(const Specimen& specimen, const Contact& law, const Load
   return loaded.load(frame, [&] { return (pull(below) - pull(above)) / (2 * specimen.width); });
 }
 
-/// Presses on the flats of a round plate.
-/// @param plate that `specimen` was made as
+/// Presses on the flats of a round plate, which was made as `brazilian_disc` does.
 /// @throws RunStopped if it does not fail
 template <ContactLaw Contact>
 RockTest brazilian(const Specimen& specimen, const BrazilianDisc& plate, const Contact& law,

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include <hfdem/measure/rock_tests.hpp>
+#include <hfdem/measure/rock_test.hpp>
 #include <hfdem/observe/specimen_picture.hpp>
 
 namespace hfdem::observe {
