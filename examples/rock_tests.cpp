@@ -4,7 +4,7 @@
 //   build/release/examples/rock_tests --out out/rock --threads 2
 //
 // You should see, after some minutes, E = 30 GPa beside the paper's 29.1, and a tensile strength of
-// 4.9 MPa beside 4.8: open out/rock/report.html. `--seeds 10 --seed 1` says how many specimens and
+// 4.8 MPa beside 4.8: open out/rock/report.html. `--seeds 10 --seed 1` says how many specimens and
 // from which seed on; `--quick` tests a small one in seconds.
 #include <atomic>
 #include <cstdio>

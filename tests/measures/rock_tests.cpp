@@ -9,6 +9,7 @@
 #include <hfdem/measure/mohr_coulomb.hpp>
 #include <hfdem/measure/rock_tests.hpp>
 #include <hfdem/measure/sample_mean.hpp>
+#include <hfdem/observe/crack_map.hpp>
 #include <hfdem/setup/square_array.hpp>
 
 #include <doctest/doctest.h>
@@ -62,6 +63,18 @@ TEST_CASE("columns of discs are as stiff and as strong in tension as their bonds
   CHECK(test.strain_at_strength == near(8e6 / 17e9, 0.01));
   CHECK(test.breaks.size() >= 6);
   for (const auto& b : test.breaks) CHECK(b.mode == hfdem::Mode::tension);
+}
+
+TEST_CASE("a load rises from the start on, without a wave, however fast it is") {
+  const auto test = measure::direct_tension(hfdem::square_array(6, 16, 5e-3), law,
+                                            {.strain_rate = 1, .largest_strain = 0.02}, {});
+  int looked_at = 0;
+  for (const auto& r : test.curve) {
+    if (r.strain == 0 || r.strain > 3e-4) continue;
+    CHECK(r.stress == near(17e9 * r.strain, 0.02));
+    ++looked_at;
+  }
+  CHECK(looked_at >= 5);
 }
 
 TEST_CASE("columns of discs do not fail in compression, which is said") {
@@ -212,6 +225,38 @@ TEST_CASE("Brazilian plates that cannot be are refused") {
                        doctest::Contains("brazilian.diameter"), InvalidParameter);
   CHECK_THROWS_WITH_AS(hfdem::brazilian_disc({.loading_angle = 90}, {}),
                        doctest::Contains("brazilian.loading_angle"), InvalidParameter);
+}
+
+TEST_CASE("a crack map shows each broken bond across its contact, where its discs have gone") {
+  // Two discs side by side that move 1 mm to the right.
+  const auto map_of = [](const RockTest& test, double exaggeration) {
+    return svg(hfdem::observe::CrackMap{.specimens = {{"two discs", &test}},
+                                        .exaggeration = exaggeration});
+  };
+  RockTest test;
+  test.specimen = {
+      .width = 0.1, .height = 0.1, .centre = {{0.04, 0.05}, {0.06, 0.05}}, .radius = {0.01, 0.01}};
+  test.displacement = {{1e-3, 0}, {1e-3, 0}};
+  test.breaks = {{.strain = 0, .mode = hfdem::Mode::tension, .contact = {{0, 1}, {1, 0, 0.01, 0}}}};
+  // Three columns on 880 pixels with 24 between them, each 1.16 specimens wide; paths are relative.
+  const double scale = ((880 + 24) / 3.0 - 24) / (1.16 * 0.1);
+  const auto stroke_at = [&](double x) {
+    using hfdem::observe::drawing::number;
+    return "m" + number(std::round(10 * (x + 0.008) * scale) / 10) + " ";
+  };
+  const std::string facet = "l0-" + hfdem::observe::drawing::number(2 * 0.01 * scale);
+  for (const double exaggeration : {0.0, 20.0}) {
+    const std::string picture = map_of(test, exaggeration);
+    const std::string start = stroke_at(0.05 + exaggeration * 1e-3);
+    const auto at = picture.find(facet);
+    REQUIRE(at != std::string::npos);
+    CHECK(picture.substr(0, at).rfind(start) != std::string::npos);
+    CHECK(picture.find(facet, at + 1) == std::string::npos);
+    CHECK(picture.substr(0, at).rfind("#d55e00") == std::string::npos);  // vermillion comes after
+  }
+  test.breaks.front().mode = hfdem::Mode::shear;
+  const std::string sheared = map_of(test, 0);
+  CHECK(sheared.substr(0, sheared.find(facet)).rfind("#d55e00") != std::string::npos);
 }
 
 TEST_CASE("Student's t is that of the tables") {

@@ -172,7 +172,7 @@ MUTATIONS = [
     ("checksum", "base/seal.hpp", "0x100000001b3", "0x100000001b5", "loops/archive"),
     ("length of what is sealed", "base/seal.hpp", "said != size", "said < size", "loops/archive"),
     ("speed of a platen", "assembly.hpp", "speed * dt());", "1.05 * speed * dt());", "measures/rock_tests"),
-    ("affine start", "assembly.hpp", "Pack{-rate.x", "Pack{5 * rate.x", "measures/rock_tests"),
+    ("affine start", "assembly.hpp", "-rate.y * away.y", "-1.5 * rate.y * away.y", "measures/rock_tests"),
     ("stress on the ends", "measure/rock_tests.hpp", "           (2 * specimen.width);\n  });\n}\n\n/// Pulls", "           (2.1 * specimen.width);\n  });\n}\n\n/// Pulls", "measures/rock_tests"),
     ("pull of the grips", "measure/rock_tests.hpp", "(pull(below) - pull(above)) / (2 *", "(pull(below) - pull(above)) / (2.1 *", "measures/rock_tests"),
     ("speed of the grips", "measure/rock_tests.hpp", "(lowest - highest) / 2", "(lowest - highest) / 1.9", "measures/rock_tests"),

@@ -35,7 +35,7 @@ struct LoadFrame {
   static constexpr auto fields() {
     using P = LoadFrame;
     return std::tuple{
-        Field{"strain_rate", &P::strain_rate, "1/s", Range{1e-4, 10},
+        Field{"strain_rate", &P::strain_rate, "1/s", Range{1e-4, 1},
               "speed of the two ends towards or from each other over the length between them"},
         Field{"largest_strain", &P::largest_strain, "", Range{1e-5, 0.05},
               "at which a test ends at the latest"},
