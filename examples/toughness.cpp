@@ -7,8 +7,16 @@
 // You should see, after about a minute, E' = 25.8 GPa, which is 0.76 of Young's modulus, and a
 // toughness that grows with the net pressure from 1.68 to 1.84 MPa sqrt(m). The file toughness.toml
 // is what `kgd --toughness` reads.
+//
+//   build/release/examples/toughness --rock random --seeds 10 --out out/random
+//
+// does the same for random packings, where the toughness is that of cracks that run: about a minute
+// for each seed.
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +26,7 @@
 #include "support/plate_of_lattice.hpp"
 #include "support/polite_threads.hpp"
 #include "support/progress.hpp"
+#include "support/random_toughness_results.hpp"
 #include "support/toughness_results.hpp"
 
 using namespace hfdem;
@@ -66,13 +75,34 @@ void test_slits(const ToughnessConfig& config, const CommandLine& options, Check
   }
 }
 
-int run(const CommandLine& options, const ToughnessConfig& config, const Manifest& manifest) {
+void say_where(const CommandLine& options, const std::string& text) {
+  if (!options.quiet)
+    std::printf("%sOpen this in a browser: %s/report.html\n", text.c_str(), options.out.c_str());
+}
+
+/// Writes the parameters, then what `measure(folder, checkpoint)` says.
+template <class Config, class Measure>
+int run(const CommandLine& options, const Config& config, const Manifest& manifest,
+        Measure&& measure) {
   const OutputFolder folder(options.out);
   Checkpoint checkpoint(options, manifest, to_toml(config));
-  folder.discard({"report.html", "summary.json", "toughness.toml", "slits.csv", "toughness.svg",
-                  "opening.svg"});
+  folder.discard({"report.html", "summary.json", "toughness.toml", "slits.csv", "growth.csv",
+                  "toughness.svg", "opening.svg", "pressure.svg", "length.svg"});
   folder.write("config.toml", to_toml(config));
+  int status = success;
   try {
+    measure(folder, checkpoint);
+  } catch (const RunStopped& reason) {
+    std::fprintf(stderr, "toughness: the run stopped: %s\n", reason.what());
+    status = run_stopped;
+  }
+  checkpoint.discard();
+  return status;
+}
+
+int run_square(const CommandLine& options, const ToughnessConfig& config,
+               const Manifest& manifest) {
+  return run(options, config, manifest, [&](const OutputFolder& folder, Checkpoint& checkpoint) {
     Stopwatch watch;
     std::vector<measure::SlitTest> tests;
     if (checkpoint.resumes()) checkpoint.load(tests, watch);
@@ -84,29 +114,63 @@ int run(const CommandLine& options, const ToughnessConfig& config, const Manifes
     validate(test.rock, "toughness");
     const ToughnessResults results(config, test, checkpoint.manifest(), watch.seconds());
     results.write(folder);
-    checkpoint.discard();
-    if (!options.quiet)
-      std::printf("%sOpen this in a browser: %s/report.html\n", results.text().c_str(),
-                  options.out.c_str());
-    return success;
-  } catch (const RunStopped& reason) {
-    checkpoint.discard();
-    std::fprintf(stderr, "toughness: the run stopped: %s\n", reason.what());
-    return run_stopped;
-  }
+    say_where(options, results.text());
+  });
+}
+
+int run_random(const CommandLine& options, const RandomToughnessConfig& config,
+               const Manifest& manifest) {
+  return run(options, config, manifest, [&](const OutputFolder& folder, Checkpoint& checkpoint) {
+    Stopwatch watch;
+    RandomToughnessStudy study(config, options.threads);
+    if (checkpoint.resumes()) checkpoint.load(study, watch);
+    ProgressLine progress(options.quiet);
+    while (!study.complete()) {
+      study.test_next(progress);
+      checkpoint.save(study, watch);
+      if (interrupted())
+        checkpoint.interrupt("after the rock of seed " +
+                             std::to_string(study.seeds().back().seed));
+    }
+    const RandomToughnessResults results(config, study, checkpoint.manifest(), watch.seconds());
+    results.write(folder);
+    say_where(options, results.text());
+  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"The modulus and toughness of a square array of bonded discs, by slit tests"};
+  CLI::App app{"The modulus and toughness of a square array or of random packings of bonded discs"};
   CommandLine options;
   options.add_to(app);
+  std::string rock = "square";
+  app.add_option("--rock", rock,
+                 "square: slits in a square array; random: slits and running cracks")
+      ->check(CLI::IsMember({"square", "random"}));
+  std::optional<int> seed, seeds;
+  app.add_option("--seed", seed, "of the first random packing: specimen.seed");
+  app.add_option("--seeds", seeds, "how many random packings: study.seeds");
   return guarded("toughness", app, [&] {
     app.parse(argc, argv);
     let_waiting_threads_sleep(options.threads, argv);
-    ToughnessConfig config = options.quick ? ToughnessConfig::quick() : ToughnessConfig{};
+    if (rock == "square") {
+      if (seed || seeds)
+        throw InvalidParameter("--seed and --seeds are for --rock random: a square array has none");
+      ToughnessConfig config = options.quick ? ToughnessConfig::quick() : ToughnessConfig{};
+      options.configure(config);
+      return run_square(options, config, manifest("toughness", argc, argv, options.threads));
+    }
+    RandomToughnessConfig config =
+        options.quick ? RandomToughnessConfig::quick() : RandomToughnessConfig{};
     options.configure(config);
-    return run(options, config, manifest("toughness", argc, argv, options.threads));
+    if (seed) config.rock.specimen.seed = *seed;
+    if (seeds) config.study.seeds = *seeds;
+    config.check();
+    config.scheme = config.scheme.resolved();
+    const int first = config.rock.specimen.seed, last = first + config.study.seeds - 1;
+    return run_random(options, config,
+                      manifest("toughness", argc, argv, options.threads,
+                               std::to_string(first) + " to " + std::to_string(last)));
   });
 }

@@ -6,21 +6,10 @@
 
 #include <hfdem/analytic/plate.hpp>
 
+#include "support/plate_sides.hpp"
 #include "support/toughness_model.hpp"
 
 namespace hfdem::support {
-
-constexpr analytic::PlateSides plate_sides(BoundaryKind boundary) {
-  switch (boundary) {
-    case BoundaryKind::servo:
-      return analytic::PlateSides::rigid;
-    case BoundaryKind::frozen:
-      return analytic::PlateSides::fixed;
-    case BoundaryKind::dead_loads:
-      break;
-  }
-  return analytic::PlateSides::stress;
-}
 
 /// @param rock with its Young's modulus, Poisson's ratio and shear modulus
 /// @throws InvalidParameter if the plate is too oblong or too anisotropic for its solution

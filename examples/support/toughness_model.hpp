@@ -1,5 +1,6 @@
 /// @file
-/// Slit tests of the verification model's lattice, and the file that hands their result on.
+/// Slit tests of the verification model's lattice, and the file that hands their result on; and the
+/// sections and files that other rocks share with it.
 #pragma once
 
 #include <string>
@@ -17,8 +18,10 @@ namespace hfdem::support {
 using LatticeSlit = measure::Slit<LinearParallelBond, HyperbolicAperture, FixedPairs>;
 
 /// The sections that shape a toughness; a run and the slits that explain it should share them.
-struct Lattice : SectionTree<Lattice> {
-  SquareArray specimen;
+/// @tparam SpecimenParams of the discs, e.g. `SquareArray`
+template <class SpecimenParams>
+struct RockSections : SectionTree<RockSections<SpecimenParams>> {
+  SpecimenParams specimen;
   LinearParallelBond::Params contact;
   HyperbolicAperture::Params aperture;
   Loading::Params boundary;
@@ -33,6 +36,8 @@ struct Lattice : SectionTree<Lattice> {
     f("in_situ", self.in_situ);
   }
 };
+
+using Lattice = RockSections<SquareArray>;
 
 /// The parameter file's sections.
 struct ToughnessConfig : SectionTree<ToughnessConfig> {
@@ -71,17 +76,21 @@ struct MeasuredToughness : SectionTree<MeasuredToughness> {
   }
 };
 
+/// Reads what was measured of one kind of rock.
 /// @throws InvalidParameter with the line if the file is not a whole toughness file
-inline MeasuredToughness read_toughness(const std::string& path) {
-  MeasuredToughness measured;
+template <class Measured>
+Measured read_measured(const std::string& path) {
+  Measured measured;
   const std::vector<Setting> settings = read_toml(path);
   for (const Setting& s : settings) apply(measured, s);
   measured.for_each_section([&](std::string_view name, const auto& section) {
     for_each_field<std::remove_cvref_t<decltype(section)>>([&](const auto& field) {
-      for (const Setting& s : settings)
-        if (s.section == name && s.key == field.name) return;
-      throw InvalidParameter(path + " is no whole toughness file: " + std::string(name) + "." +
-                             std::string(field.name) + " is missing");
+      if constexpr (!is_optional<std::remove_cvref_t<decltype(section.*(field.member))>>) {
+        for (const Setting& s : settings)
+          if (s.section == name && s.key == field.name) return;
+        throw InvalidParameter(path + " is no whole toughness file: " + std::string(name) + "." +
+                               std::string(field.name) + " is missing");
+      }
     });
   });
   try {
@@ -90,6 +99,12 @@ inline MeasuredToughness read_toughness(const std::string& path) {
     throw InvalidParameter(path + " is no whole toughness file: " + e.what());
   }
   return measured;
+}
+
+/// @throws InvalidParameter with the line if the file is not a whole toughness file of a square
+/// array
+inline MeasuredToughness read_toughness(const std::string& path) {
+  return read_measured<MeasuredToughness>(path);
 }
 
 /// Young's modulus, Poisson's ratio and shear modulus of a square array whose contacts are closed:

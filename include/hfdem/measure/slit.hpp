@@ -2,7 +2,9 @@
 /// A slit held open by a given pressure: the experiment that stiffness and toughness are read from.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,8 +17,9 @@
 
 namespace hfdem::measure {
 
-/// A straight slit of broken contacts in the middle of a specimen under in-situ stress. Its bonds
-/// do not break; `would_break` says whether they should have.
+/// A slit of broken contacts in the middle of a specimen under in-situ stress: straight in a square
+/// array, along a rough path of contacts in a random one. Its bonds do not break; `would_break`
+/// says whether they should have.
 template <ContactLaw Contact, ApertureLaw Aperture, NeighbourSearch Neighbours>
 class Slit {
  public:
@@ -27,9 +30,20 @@ class Slit {
   /// @param params of the specimen; its crack is replaced by the slit
   /// @param contacts broken ones; an even number is centred on a domain
   /// @throws InvalidParameter, RunStopped as the simulator does
-  Slit(const Specimen& specimen, typename Sim::Params params, int contacts)
-      : sim_(specimen, with_slit(params, contacts)),
-        closing_(std::fmin(params.in_situ.xx, params.in_situ.yy)) {}
+  Slit(const Specimen& specimen, const typename Sim::Params& params, int contacts)
+      : Slit(specimen, params, PresetCrack{.contacts = contacts}, 0) {}
+
+  /// @param specimen in whose middle the slit lies
+  /// @param params of the specimen; its crack is replaced by the slit
+  /// @param slit how long it is
+  /// @param reach to both sides of the middle over which the opening is a mean, m, since a single
+  /// facet of a rough path says little; 0 for the contacts at the middle
+  /// @throws InvalidParameter, RunStopped as the simulator does
+  Slit(const Specimen& specimen, const typename Sim::Params& params, const PresetCrack& slit,
+       double reach)
+      : sim_(specimen, with_slit(params, slit)),
+        closing_(std::fmin(params.in_situ.xx, params.in_situ.yy)),
+        reach_(reach) {}
 
   /// Relaxes the slit at a net pressure, Pa.
   /// @throws RunStopped if it finds no equilibrium
@@ -38,7 +52,27 @@ class Slit {
     if (!sim_.step().converged)
       throw RunStopped("a slit of " + in_words(2 * half_length()) + " m found no equilibrium at " +
                        in_words(net_pressure) + " Pa of net pressure");
-    return {net_pressure, crack_shape(sim_).opening, sim_.network().crack_volume()};
+    return {net_pressure, opening(), sim_.network().crack_volume()};
+  }
+
+  /// Stiffness: opening and volume at net pressures, in their order, with straight lines through
+  /// them. The slit itself stays as it is.
+  /// @param net_pressures two or more, Pa
+  /// @throws RunStopped if a state finds no equilibrium
+  SlitTest held_at(std::span<const double> net_pressures) const {
+    SlitTest test{.contacts = static_cast<int>(sim_.preset_contacts().size()),
+                  .half_length = half_length()};
+    Slit slit = *this;
+    std::vector<Vec2> openings, volumes;
+    for (const double p : net_pressures) {
+      const SlitState s = slit.at(p);
+      test.states.push_back(s);
+      openings.push_back({s.net_pressure, s.opening});
+      volumes.push_back({s.net_pressure, s.volume});
+    }
+    test.opening = Line::through(openings);
+    test.volume = Line::through(volumes);
+    return test;
   }
 
   /// Whether some bond is over its strength at the present state.
@@ -88,19 +122,9 @@ class Slit {
   /// @param accuracy of it, relative
   /// @throws RunStopped if a state finds no equilibrium
   SlitTest test(double start, double accuracy = 1e-3) const {
-    SlitTest test{.contacts = static_cast<int>(sim_.preset_contacts().size()),
-                  .half_length = half_length()};
-    test.net_pressure_at_break = Slit(*this).net_pressure_at_break(start, accuracy);
-    Slit slit = *this;
-    std::vector<Vec2> openings, volumes;
-    for (const double part : {0.8, 0.9, 1.0}) {
-      const SlitState s = slit.at(part * test.net_pressure_at_break);
-      test.states.push_back(s);
-      openings.push_back({s.net_pressure, s.opening});
-      volumes.push_back({s.net_pressure, s.volume});
-    }
-    test.opening = Line::through(openings);
-    test.volume = Line::through(volumes);
+    const double at_break = Slit(*this).net_pressure_at_break(start, accuracy);
+    SlitTest test = held_at(std::vector{0.8 * at_break, 0.9 * at_break, 1.0 * at_break});
+    test.net_pressure_at_break = at_break;
     return test;
   }
 
@@ -120,14 +144,35 @@ class Slit {
     return true;
   }
 
-  static typename Sim::Params with_slit(typename Sim::Params params, int contacts) {
-    params.crack = {.contacts = contacts};
+  /// How far the walls part across the slit: volume over length. The facets of a rough path lie
+  /// aslant and open by less, but are longer by as much.
+  double opening() const {
+    if (reach_ == 0) return crack_shape(sim_).opening;
+    const auto& network = sim_.network();
+    const Vec2 origin = injection_point(sim_), direction = sim_.crack_direction();
+    double volume = 0;
+    for (const Index c : network.wet_channels()) {
+      const auto& channel = network.geometry().channels[c];
+      const auto along = [&](Index domain) {
+        return dot(network.geometry().centre[domain] - origin, direction);
+      };
+      const auto [low, high] = std::minmax({along(channel.domain[0]), along(channel.domain[1])});
+      const double within = std::fmin(high, reach_) - std::fmax(low, -reach_);
+      if (!(within > 0)) continue;
+      const double opened = network.width(c) - network.rest_width(c);
+      volume += within / (high - low) * channel.length * opened;
+    }
+    return volume / (2 * reach_);
+  }
+
+  static typename Sim::Params with_slit(typename Sim::Params params, const PresetCrack& slit) {
+    params.crack = slit;
     params.injection.position = {};
     return params;
   }
 
   Sim sim_;
-  double closing_;
+  double closing_, reach_;
 };
 
 }  // namespace hfdem::measure
