@@ -6,6 +6,7 @@
 #include <hfdem/analytic/kgd_regime.hpp>
 #include <hfdem/analytic/plate_growth.hpp>
 #include <hfdem/analytic/pressurised_crack.hpp>
+#include <hfdem/analytic/rock_fracture.hpp>
 #include <hfdem/analytic/stepwise_growth.hpp>
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/base/archive.hpp>
@@ -20,8 +21,10 @@
 #include <hfdem/measure/particle_stress.hpp>
 #include <hfdem/measure/path_profile.hpp>
 #include <hfdem/measure/rock_tests.hpp>
+#include <hfdem/measure/running_crack.hpp>
 #include <hfdem/measure/sample_mean.hpp>
 #include <hfdem/measure/slit.hpp>
+#include <hfdem/measure/slit_modulus.hpp>
 #include <hfdem/measure/toughness.hpp>
 #include <hfdem/neighbours/cell_grid.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>

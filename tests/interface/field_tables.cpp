@@ -16,12 +16,15 @@
 #include <hfdem/analytic/kgd.hpp>
 #include <hfdem/analytic/lattice_fracture.hpp>
 #include <hfdem/analytic/plate_growth.hpp>
+#include <hfdem/analytic/rock_fracture.hpp>
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/base/units.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/contact/scattered_parallel_bond.hpp>
 #include <hfdem/measure/measurement_circle.hpp>
 #include <hfdem/measure/rock_tests.hpp>
+#include <hfdem/measure/running_crack.hpp>
+#include <hfdem/measure/slit_modulus.hpp>
 #include <hfdem/measure/toughness.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
@@ -45,7 +48,8 @@ using AllParams =
                FlowChannels, PresetCrack, Injection, Fluid, SquareArray, RandomPacking,
                measure::SlitSeries, measure::CircleGrid, measure::LoadFrame, BrazilianDisc,
                ScatteredParallelBond::Params, analytic::KgdProblem, analytic::LatticeFracture,
-               analytic::OrthotropicPlane, analytic::ToughnessLaw>;
+               analytic::OrthotropicPlane, analytic::ToughnessLaw, analytic::RockFracture,
+               measure::HeldSlits, measure::RunningRange>;
 
 /// Parameters in range: the defaults, but for descriptions of a rock, which have none.
 template <class P>
@@ -60,6 +64,10 @@ template <>
 const analytic::OrthotropicPlane sample<analytic::OrthotropicPlane>{.E = 30e9, .G = 12e9};
 template <>
 const analytic::ToughnessLaw sample<analytic::ToughnessLaw>{.K_IC = 1e6};
+
+template <>
+const analytic::RockFracture sample<analytic::RockFracture>{
+    .E_prime = 30e9, .K_IC = 2e6, .K_IC_above_in_situ = 2e6};
 
 using Tree = SimulatorParams<LinearParallelBond, HyperbolicAperture, UniformPressure>;
 

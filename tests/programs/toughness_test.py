@@ -5,8 +5,10 @@
 
 import csv
 import json
+import math
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -159,6 +161,131 @@ class ToughnessTest(unittest.TestCase):
                                 "in_situ.yy=1e5", out="doubt")
         self.assertIn("Beware: E' of the slits differs by", done.stdout)
         self.assertGreater(self.summary("doubt")["E_prime_spread"], 0.05)
+
+
+class RandomRockTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.study = cls.run_program(out="study")
+
+    @classmethod
+    def path(cls, name):
+        return pathlib.Path(cls.folder.name) / name
+
+    @classmethod
+    def run_program(cls, *options, out):
+        return subprocess.run([TOUGHNESS, "--rock", "random", "--quick", "--out", str(cls.path(out)),
+                               *options], text=True, capture_output=True)
+
+    def refused(self, *options, words):
+        done = self.run_program(*options, out="refused")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+    def summary(self):
+        return json.loads((self.path("study") / "summary.json").read_text())
+
+    def rows(self, name):
+        with open(self.path("study") / name, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_modulus_and_toughness_are_those_of_the_rock(self):
+        self.assertEqual(self.study.returncode, 0, self.study.stderr)
+        summary = self.summary()
+        # Slits in large packings say 31.7 +- 1.6 GPa, and cracks that run through them 2.57 +- 0.31;
+        # in one as small as this, tips are near the rim and K is lower.
+        self.assertAlmostEqual(summary["E_prime"]["mean_Pa"], 31.7e9, delta=3e9)
+        self.assertAlmostEqual(summary["K_IC_above_in_situ"]["mean_Pa_sqrt_m"], 2.4e6, delta=0.4e6)
+        # Two other ways to the same modulus.
+        self.assertAlmostEqual(summary["E_prime_from_opening"]["mean_Pa"] /
+                               summary["E_prime"]["mean_Pa"], 1, delta=0.06)
+        self.assertAlmostEqual(summary["E"]["mean_Pa"] / summary["E_prime"]["mean_Pa"], 1,
+                               delta=0.1)
+
+    def test_the_answer_is_the_mean_of_the_seeds(self):
+        summary = self.summary()
+        self.assertEqual([seed["seed"] for seed in summary["seeds"]], [1, 2])
+        for key, name in (("E_prime", "E_prime_Pa"), ("K_IC", "K_IC_Pa_sqrt_m")):
+            values = [seed[name] for seed in summary["seeds"]]
+            unit = name[len(key) + 1:]
+            self.assertAlmostEqual(summary[key]["mean_" + unit] / statistics.mean(values), 1,
+                                   places=9)
+            # Student's t for two samples: 12.706.
+            interval = 12.706 * statistics.stdev(values) / 2 ** 0.5
+            self.assertAlmostEqual(summary[key]["interval_95_" + unit] / interval, 1, places=6)
+        rock = tomllib.loads((self.path("study") / "toughness.toml").read_text())
+        self.assertAlmostEqual(rock["rock"]["K_IC"] / summary["K_IC"]["mean_Pa_sqrt_m"], 1,
+                               places=9)
+        self.assertAlmostEqual(rock["rock"]["E_prime"] / summary["E_prime"]["mean_Pa"], 1, places=9)
+        self.assertEqual(rock["specimen"]["width"], 0.3)
+
+    def test_slits_and_cracks_are_in_its_tables(self):
+        slits = self.rows("slits.csv")
+        self.assertEqual(len(slits), 2 * 2 * 2)  # seeds, lengths, pressures
+        for low, high in zip(slits[::2], slits[1::2]):
+            self.assertGreater(float(high["volume_m2"]), float(low["volume_m2"]))
+        growth = [row for row in self.rows("growth.csv") if row["seed"] == "1"]
+        lengths = [float(row["full_length_m"]) for row in growth]
+        self.assertEqual(lengths, sorted(lengths))
+        # The crack opens as much as is injected.
+        for row in growth[50:]:
+            self.assertAlmostEqual(float(row["crack_volume_m2"]) / (0.5e-4 * float(row["time_s"])),
+                                   1, delta=2e-3)
+        page = (self.path("study") / "report.html").read_text()
+        self.assertIn("Why a running crack", page)
+        for figure in ("pressure.svg", "opening.svg", "length.svg"):
+            self.assertIn("<svg", (self.path("study") / figure).read_text())
+
+    def test_the_predicted_growth_holds_the_injected_volume(self):
+        summary = self.summary()
+        self.assertGreater(len(summary["growth"]), 1)
+        for at in summary["growth"]:
+            self.assertAlmostEqual(at["predicted_full_length_m"] / at["full_length"]["mean_m"], 1,
+                                   delta=0.15)
+            # V = pi / 4 * length * width of an ellipse, nearly.
+            volume = math.pi / 4 * at["predicted_full_length_m"] * at["predicted_opening_m"]
+            self.assertAlmostEqual(volume / (0.5e-4 * at["time_s"]), 1, delta=0.02)
+        self.assertGreater(summary["splitting"]["time_s"], summary["growth"][-1]["time_s"])
+
+    def test_the_number_of_threads_and_a_repetition_change_no_byte(self):
+        done = self.run_program("--threads", "2", "--config", str(self.path("study/config.toml")),
+                                out="again")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ("toughness.toml", "slits.csv", "growth.csv", "config.toml", "length.svg"):
+            self.assertEqual((self.path("study") / name).read_bytes(),
+                             (self.path("again") / name).read_bytes(), name)
+
+    def test_what_cannot_be_is_refused(self):
+        self.refused("--seeds", "0", words=["study.seeds = 0", "at least 1"])
+        self.refused("--seed", "-1", words=["specimen.seed = -1"])
+        self.refused("--set", "slits.longest=0.28", words=["slits.longest = 0.28 m", "0.27"])
+        self.refused("--set", "slits.longest=0.05", words=["slits.longest", "slits.shortest"])
+        self.refused("--set", "slits.highest_pressure=1e6", words=["slits.highest_pressure"])
+        self.refused("--set", "running.from=0.7", words=["running.to = 0.6", "running.from"])
+        self.refused("--set", "specimen.height=1", words=["specimen.height = 1 m", "half to twice"])
+        self.refused("--set", "specimen.columns=40", words=["columns", "radius_min"])
+        self.refused("--set", "in_situ.xx=0", "--set", "in_situ.yy=0", words=["in_situ.xx"])
+        self.refused("--rock", "granite", words=["--rock"])
+        done = subprocess.run([TOUGHNESS, "--quick", "--seeds", "2", "--out", str(self.path("no"))],
+                              text=True, capture_output=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--rock random", done.stderr)
+
+    def test_a_crack_that_does_not_run_is_no_toughness(self):
+        done = self.run_program("--seeds", "1", "--set", "study.end_time=0.002", out="short")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("no crack of 0.06 to 0.18 m ran", done.stderr)
+        self.assertFalse((self.path("short") / "summary.json").exists())
+
+    def test_kgd_says_that_the_file_is_of_another_rock(self):
+        done = subprocess.run([KGD, "--quick", "--out", str(self.path("kgd")), "--toughness",
+                               str(self.path("study/toughness.toml"))], text=True,
+                              capture_output=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('there is no section "rock"', done.stderr)
 
 
 if __name__ == "__main__":
