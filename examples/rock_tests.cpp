@@ -6,18 +6,23 @@
 // You should see, after some minutes, E = 30 GPa beside the paper's 29.1, and a tensile strength of
 // 4.8 MPa beside 4.8: open out/rock/report.html. `--seeds 10 --seed 1` says how many specimens and
 // from which seed on; `--quick` tests a small one in seconds.
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <limits>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <hfdem/base/parallel.hpp>
 
 #include <CLI/CLI.hpp>
 
+#include "support/checkpoint.hpp"
 #include "support/command_line.hpp"
+#include "support/interrupts.hpp"
 #include "support/manifest.hpp"
 #include "support/polite_threads.hpp"
 #include "support/progress.hpp"
@@ -28,61 +33,89 @@ using namespace hfdem::support;
 
 namespace {
 
-/// Test `which` of a specimen: first direct tension, then the Brazilian, then compressions.
+/// Test `which` of a specimen, as `SpecimenTests` numbers them.
 template <class Contact>
-void run_test(const RockTestsConfig& config, int specimen, int which, SpecimenTests& results) {
+measure::RockTest run_test(const RockTestsConfig& config, int specimen, std::size_t which) {
   ScatteredParallelBond::Params micro = config.contact;
   micro.strength_seed += specimen;
   const Contact law(micro);
   const RandomPacking packing = config.packing(specimen);
   const auto& [frame, mechanics] = std::tie(config.load_frame, config.mechanics);
-  if (which == 0)
-    results.tension = measure::direct_tension(random_packing(packing), law, frame, mechanics);
-  else if (which == 1)
-    results.brazilian = measure::brazilian(brazilian_disc(config.brazilian, packing),
-                                           config.brazilian, law, frame, mechanics);
-  else
-    results.compression[static_cast<std::size_t>(which - 2)] = measure::compression(
-        random_packing(packing), law, config.study.confinement(which - 2), frame, mechanics);
+  if (which == 0) return measure::direct_tension(random_packing(packing), law, frame, mechanics);
+  if (which == 1)
+    return measure::brazilian(brazilian_disc(config.brazilian, packing), config.brazilian, law,
+                              frame, mechanics);
+  return measure::compression(random_packing(packing), law,
+                              config.study.confinement(static_cast<int>(which) - 2), frame,
+                              mechanics);
 }
 
-/// Makes all tests of all specimens; each result is that of its specimen alone.
-/// @throws InvalidParameter if the specimens, or the first of their tests, cannot be as wanted
-template <class Contact>
-std::vector<SpecimenTests> run_tests(const RockTestsConfig& config, int threads, bool quiet) {
-  const int each = 3 + config.study.confinements;
-  const auto tests = static_cast<std::size_t>(config.study.seeds * each);
-  std::vector<SpecimenTests> specimens(static_cast<std::size_t>(config.study.seeds));
-  for (std::size_t k = 0; k < specimens.size(); ++k) {
-    specimens[k].seed = config.specimen.seed + static_cast<int>(k);
-    specimens[k].compression.resize(static_cast<std::size_t>(each - 2));
+/// What the tests have come to so far.
+struct TestsSoFar {
+  std::vector<SpecimenTests> specimens{};
+  std::vector<bool> done{};  ///< specimen by specimen
+  Stopwatch watch{};
+
+  explicit TestsSoFar(const RockTestsConfig& config)
+      : specimens(static_cast<std::size_t>(config.study.seeds)),
+        done(specimens.size() * each(config)) {
+    for (std::size_t k = 0; k < specimens.size(); ++k) {
+      specimens[k].seed = config.specimen.seed + static_cast<int>(k);
+      specimens[k].compression.resize(each(config) - 2);
+    }
   }
+
+  /// Tests of one specimen.
+  static std::size_t each(const RockTestsConfig& config) {
+    return static_cast<std::size_t>(3 + config.study.confinements);
+  }
+
+  void exchange(auto& archive) { archive(specimens, done, watch); }
+};
+
+/// Makes all tests that are not done; each result is that of its specimen alone.
+/// @throws InvalidParameter if the specimens, or the first of their tests, cannot be as wanted
+/// @throws Interrupted if the program was asked to stop: it has saved then
+template <class Contact>
+void run_tests(const RockTestsConfig& config, int threads, bool quiet, Checkpoint& checkpoint,
+               TestsSoFar& tests) {
   ProgressLine progress(quiet);
   std::mutex one_at_a_time;
-  std::size_t done = 0;
   std::optional<InvalidParameter> refused;
   std::atomic<bool> useless = false;
-  for_tasks(tests, threads, [&](std::size_t task) {
-    if (useless) return;
-    const int specimen = static_cast<int>(task) / each;
-    SpecimenTests& results = specimens[static_cast<std::size_t>(specimen)];
-    try {
-      run_test<Contact>(config, specimen, static_cast<int>(task) % each, results);
-    } catch (const RunStopped& reason) {
+  for_tasks(tests.done.size(), threads, [&](std::size_t task) {
+    if (useless || interrupted()) return;
+    const std::size_t specimen = task / TestsSoFar::each(config);
+    const std::size_t which = task % TestsSoFar::each(config);
+    {
       const std::lock_guard lock(one_at_a_time);
-      results.stopped = reason.what();
+      if (tests.done[task]) return;
+    }
+    measure::RockTest result;
+    std::string stopped;
+    try {
+      result = run_test<Contact>(config, static_cast<int>(specimen), which);
+    } catch (const RunStopped& reason) {
+      stopped = reason.what();
     } catch (const InvalidParameter& reason) {
       const std::lock_guard lock(one_at_a_time);
       refused = reason;
       useless = true;
+      return;
     }
     const std::lock_guard lock(one_at_a_time);
-    ++done;
-    progress.show(static_cast<double>(done) / static_cast<double>(tests),
-                  std::to_string(done) + " of " + std::to_string(tests) + " tests");
+    tests.specimens[specimen].test(which) = std::move(result);
+    if (!stopped.empty()) tests.specimens[specimen].stopped = stopped;
+    tests.done[task] = true;
+    if (checkpoint.is_due()) checkpoint.save(tests);
+    const auto done = static_cast<double>(std::count(tests.done.begin(), tests.done.end(), true));
+    progress.show(done / static_cast<double>(tests.done.size()),
+                  in_words(done) + " of " + std::to_string(tests.done.size()) + " tests");
   });
   if (refused) throw *refused;
-  return specimens;
+  if (!interrupted()) return;
+  checkpoint.save(tests);
+  checkpoint.interrupt("between two tests");
 }
 
 /// @throws InvalidParameter if the last seed would be none
@@ -98,16 +131,18 @@ void check_seeds(const RockTestsConfig& config) {
 }
 
 int run(const CommandLine& options, const RockTestsConfig& config, const Manifest& manifest) {
+  Checkpoint checkpoint(options, manifest, to_toml(config));
   const OutputFolder folder(options.out);
   folder.discard(RockTestsResults::files);
   folder.write("config.toml", to_toml(config));
-  const Stopwatch watch;
-  const auto tests = config.contact.weibull_modulus
-                         ? run_tests<ScatteredParallelBond>(config, options.threads, options.quiet)
-                         : run_tests<LinearParallelBond>(config, options.threads, options.quiet);
+  TestsSoFar tests(config);
+  if (checkpoint.resumes()) checkpoint.load(tests);
+  config.contact.weibull_modulus
+      ? run_tests<ScatteredParallelBond>(config, options.threads, options.quiet, checkpoint, tests)
+      : run_tests<LinearParallelBond>(config, options.threads, options.quiet, checkpoint, tests);
   bool stopped = false;
   std::vector<SpecimenTests> whole;
-  for (const SpecimenTests& s : tests) {
+  for (const SpecimenTests& s : tests.specimens) {
     if (s.stopped.empty()) {
       whole.push_back(s);
       continue;
@@ -116,9 +151,13 @@ int run(const CommandLine& options, const RockTestsConfig& config, const Manifes
     std::fprintf(stderr, "rock_tests: the specimen of seed %d is left out: %s\n", s.seed,
                  s.stopped.c_str());
   }
-  if (whole.empty()) return run_stopped;
-  const RockTestsResults results(config, whole, manifest, watch.seconds());
+  if (whole.empty()) {
+    checkpoint.discard();
+    return run_stopped;
+  }
+  const RockTestsResults results(config, whole, checkpoint.manifest(), tests.watch.seconds());
   results.write(folder);
+  checkpoint.discard();
   if (!options.quiet)
     std::printf("%sOpen this in a browser: %s/report.html\n", results.text().c_str(),
                 options.out.c_str());

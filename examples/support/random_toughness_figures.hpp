@@ -73,7 +73,7 @@ class RandomToughnessFigures {
       line.name = observe::fixed(length, 2, "m");
       for (std::size_t j = 0; j < first[k].slit.states.size(); ++j) {
         const double p = first[k].slit.states[j].net_pressure;
-        const SeedMean opening =
+        const measure::SampleMean opening =
             study_.mean([&](const auto& s) { return s.slits.readings[k].slit.states[j].opening; });
         line.x.push_back(p / 1e6), line.y.push_back(opening.mean * 1e6);
         const double width = 2 * length * study_.seeds().front().plate.factors(length).width;

@@ -85,7 +85,7 @@ class RandomToughnessResults {
   struct Comparison {
     double time;
     GrowthPrediction::Crack predicted;
-    SeedMean length, pressure;  ///< of the cracks that run still
+    measure::SampleMean length, pressure;  ///< of the cracks that run still
   };
 
   double every() const { return config_.study.compare_every; }
@@ -101,10 +101,12 @@ class RandomToughnessResults {
       lengths.push_back(now->full_length());
       pressures.push_back(in_situ() + now->net_pressure);
     }
-    return {time, *growth_.at(time), SeedMean::of(lengths), SeedMean::of(pressures)};
+    return {time, *growth_.at(time), measure::SampleMean::of(lengths),
+            measure::SampleMean::of(pressures)};
   }
 
-  static std::string with_interval(const SeedMean& m, double unit, int decimals, const char* name) {
+  static std::string with_interval(const measure::SampleMean& m, double unit, int decimals,
+                                   const char* name) {
     char text[160];
     if (m.samples < 2)
       std::snprintf(text, sizeof text, "%.*f %s (one seed: no interval)", decimals, m.mean / unit,
@@ -112,7 +114,7 @@ class RandomToughnessResults {
     else
       std::snprintf(text, sizeof text,
                     "%.*f +- %.*f %s (95 %% interval of the mean; one rock deviates by %.*f)",
-                    decimals, m.mean / unit, decimals, m.interval / unit, name, decimals,
+                    decimals, m.mean / unit, decimals, m.ci95 / unit, name, decimals,
                     m.deviation / unit);
     return text;
   }
@@ -140,10 +142,11 @@ class RandomToughnessResults {
     folder.close(file, "growth.csv");
   }
 
-  static void set(Summary& s, const std::string& name, const SeedMean& m, const std::string& unit) {
+  static void set(Summary& s, const std::string& name, const measure::SampleMean& m,
+                  const std::string& unit) {
     s.set(name + "/mean_" + unit, m.mean);
     s.set(name + "/standard_deviation_" + unit, m.deviation);
-    s.set(name + "/interval_95_" + unit, m.interval);
+    s.set(name + "/interval_95_" + unit, m.ci95);
     s.set(name + "/seeds", static_cast<long>(m.samples));
   }
 
@@ -194,18 +197,19 @@ class RandomToughnessResults {
     return s;
   }
 
-  SeedMean young() const {
+  measure::SampleMean young() const {
     return study_.mean([](const auto& r) { return r.moduli.young; });
   }
-  SeedMean closing() const {
+  measure::SampleMean closing() const {
     return study_.mean([](const auto& r) { return r.slits.closing_excess; });
   }
 
-  static std::string said(const SeedMean& m, double unit, int decimals, const char* name) {
+  static std::string said(const measure::SampleMean& m, double unit, int decimals,
+                          const char* name) {
     using observe::fixed;
     const std::string mean = fixed(m.mean / unit, decimals);
     return m.samples < 2 ? fixed(m.mean / unit, decimals, name)
-                         : mean + " ± " + fixed(m.interval / unit, decimals, name);
+                         : mean + " ± " + fixed(m.ci95 / unit, decimals, name);
   }
 
   std::string report() const {
@@ -297,7 +301,7 @@ class RandomToughnessResults {
   analytic::RockFracture rock_;
   GrowthPrediction growth_;
   RandomToughnessFigures figures_;
-  SeedMean E_prime_, K_, K_in_situ_;
+  measure::SampleMean E_prime_, K_, K_in_situ_;
   std::vector<Comparison> compared_{};
 };
 

@@ -82,6 +82,13 @@ struct SpecimenTests {
   std::vector<measure::RockTest> compression{};  ///< first the unconfined one
   measure::RockTest tension{}, brazilian{};
   std::string stopped{};  ///< why a test came to no result; empty if all did
+
+  /// First direct tension, then the Brazilian test, then the compressions.
+  measure::RockTest& test(std::size_t which) {
+    return which == 0 ? tension : which == 1 ? brazilian : compression[which - 2];
+  }
+
+  void exchange(auto& archive) { archive(seed, compression, tension, brazilian, stopped); }
 };
 
 /// One of the numbers that describe a rock.

@@ -9,7 +9,6 @@
 
 #include <doctest/doctest.h>
 
-#include "support/seed_mean.hpp"
 
 using namespace hfdem;
 using support::GrowthPrediction;
@@ -88,30 +87,4 @@ TEST_CASE("what cannot be predicted is refused") {
                        doctest::Contains("crack.length = 0.95 m"), InvalidParameter);
   CHECK_THROWS_WITH_AS(GrowthPrediction({.E_prime = 30e9}, {}), doctest::Contains("K_IC = 0"),
                        InvalidParameter);
-}
-
-TEST_CASE("a mean over seeds has the deviation and interval of the textbook") {
-  const auto m = support::SeedMean::of({2, 4, 4, 4, 5, 5, 7, 9});
-  CHECK(m.mean == near(5, 1e-12));
-  CHECK(m.deviation == near(std::sqrt(32.0 / 7), 1e-12));
-  CHECK(m.interval == near(2.365 * std::sqrt(4.0 / 7), 1e-12));
-  CHECK(std::isnan(support::SeedMean::of({3}).interval));
-}
-
-TEST_CASE("Student's t leaves 2.5 % on either side") {
-  // The density, integrated from the middle by the midpoint rule.
-  for (const int freedom : {1, 2, 4, 9, 19, 30, 31, 60, 1000}) {
-    CAPTURE(freedom);
-    const double n = freedom;
-    const double scale =
-        std::exp(std::lgamma((n + 1) / 2) - std::lgamma(n / 2)) / std::sqrt(n * std::numbers::pi);
-    const double t = support::student_95(static_cast<std::size_t>(freedom));
-    constexpr int parts = 100000;
-    double sum = 0;
-    for (int k = 0; k < parts; ++k) {
-      const double x = t * (k + 0.5) / parts;
-      sum += scale * std::pow(1 + x * x / n, -(n + 1) / 2) * t / parts;
-    }
-    CHECK(sum == near(0.475, 3e-4));
-  }
 }

@@ -34,6 +34,12 @@ struct RockTest {
   std::vector<TestBreak> breaks{};   ///< in order
   Specimen specimen{};               ///< before the test
   std::vector<Vec2> displacement{};  ///< of the discs at the end, m
+
+  /// All of it.
+  void exchange(auto& archive) {
+    archive(confinement, strength, strain_at_strength, steps, curve, breaks, specimen,
+            displacement);
+  }
 };
 
 }  // namespace hfdem::measure

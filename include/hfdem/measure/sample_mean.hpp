@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -36,9 +37,10 @@ inline double student_t_95(int freedom) {
 
 /// A mean and the half width of its 95 % confidence interval, which a single value has not.
 struct SampleMean {
-  double mean;       ///< in the unit of the values
-  double ci95;       ///< half width; not a number for a single value
-  double deviation;  ///< standard deviation of the values; likewise
+  double mean;          ///< in the unit of the values
+  double ci95;          ///< half width; not a number for a single value
+  double deviation;     ///< standard deviation of the values; likewise
+  std::size_t samples;  ///< number of values
 
   /// @param values one or more
   static SampleMean of(std::span<const double> values) {
@@ -47,10 +49,10 @@ struct SampleMean {
     for (const double v : values) mean += v / count;
     for (const double v : values) squares += (v - mean) * (v - mean);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    if (values.size() < 2) return {mean, none, none};
+    if (values.size() < 2) return {mean, none, none, values.size()};
     const double deviation = std::sqrt(squares / (count - 1));
     return {mean, student_t_95(static_cast<int>(values.size()) - 1) * deviation / std::sqrt(count),
-            deviation};
+            deviation, values.size()};
   }
 };
 

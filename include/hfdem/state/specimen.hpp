@@ -61,6 +61,11 @@ struct Specimen {
 
   std::size_t size() const { return centre.size(); }  ///< number of discs
 
+  /// All of it.
+  void exchange(auto& archive) {
+    archive(width, height, density, centre, radius, bonding_gap, pairs, input_index);
+  }
+
   /// Distance between two discs' surfaces, m; negative where they overlap.
   double gap(Pair p) const {
     return norm(centre[p.second] - centre[p.first]) - radius[p.first] - radius[p.second];
