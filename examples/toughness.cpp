@@ -80,21 +80,27 @@ void say_where(const CommandLine& options, const std::string& text) {
     std::printf("%sOpen this in a browser: %s/report.html\n", text.c_str(), options.out.c_str());
 }
 
-/// Writes the parameters, then what `measure(folder, checkpoint)` says.
-template <class Config, class Measure>
-int run(const CommandLine& options, const Config& config, const Manifest& manifest,
+/// Writes the parameters, then what `measure(folder, checkpoint, watch)` says.
+/// @param state what the tests have come to so far: empty, or taken up from the checkpoint
+template <class Config, class State, class Measure>
+int run(const CommandLine& options, const Config& config, const Manifest& manifest, State& state,
         Measure&& measure) {
   const OutputFolder folder(options.out);
   Checkpoint checkpoint(options, manifest, to_toml(config));
   folder.discard({"report.html", "summary.json", "toughness.toml", "slits.csv", "growth.csv",
                   "toughness.svg", "opening.svg", "pressure.svg", "length.svg"});
   folder.write("config.toml", to_toml(config));
+  Stopwatch watch;
+  if (checkpoint.resumes()) checkpoint.load(state, watch);
   int status = success;
   try {
-    measure(folder, checkpoint);
+    measure(folder, checkpoint, watch);
   } catch (const RunStopped& reason) {
     std::fprintf(stderr, "toughness: the run stopped: %s\n", reason.what());
     status = run_stopped;
+  } catch (const InvalidParameter&) {
+    checkpoint.discard();  // such parameters say nothing: there is nothing to go on with
+    throw;
   }
   checkpoint.discard();
   return status;
@@ -102,39 +108,40 @@ int run(const CommandLine& options, const Config& config, const Manifest& manife
 
 int run_square(const CommandLine& options, const ToughnessConfig& config,
                const Manifest& manifest) {
-  return run(options, config, manifest, [&](const OutputFolder& folder, Checkpoint& checkpoint) {
-    Stopwatch watch;
-    std::vector<measure::SlitTest> tests;
-    if (checkpoint.resumes()) checkpoint.load(tests, watch);
-    test_slits(config, options, checkpoint, tests, watch);
-    const Lattice& l = config.lattice;
-    const analytic::LatticeFracture rock = square_lattice(l);
-    const analytic::CrackedPlate plate = plate_of(l.specimen, l.boundary, l.in_situ, rock);
-    const auto test = measure::toughness_test(tests, plate, rock);
-    validate(test.rock, "toughness");
-    const ToughnessResults results(config, test, checkpoint.manifest(), watch.seconds());
-    results.write(folder);
-    say_where(options, results.text());
-  });
+  std::vector<measure::SlitTest> tests;
+  return run(options, config, manifest, tests,
+             [&](const OutputFolder& folder, Checkpoint& checkpoint, const Stopwatch& watch) {
+               test_slits(config, options, checkpoint, tests, watch);
+               const Lattice& l = config.lattice;
+               const analytic::LatticeFracture rock = square_lattice(l);
+               const analytic::CrackedPlate plate =
+                   plate_of(l.specimen, l.boundary, l.in_situ, rock);
+               const auto test = measure::toughness_test(tests, plate, rock);
+               validate(test.rock, "toughness");
+               const ToughnessResults results(config, test, checkpoint.manifest(), watch.seconds());
+               results.write(folder);
+               say_where(options, results.text());
+             });
 }
 
 int run_random(const CommandLine& options, const RandomToughnessConfig& config,
                const Manifest& manifest) {
-  return run(options, config, manifest, [&](const OutputFolder& folder, Checkpoint& checkpoint) {
-    Stopwatch watch;
-    RandomToughnessStudy study(config, options.threads);
-    if (checkpoint.resumes()) checkpoint.load(study, watch);
-    ProgressLine progress(options.quiet);
-    while (!study.complete()) {
-      study.test_next(progress);
-      checkpoint.save(study, watch);
-      if (interrupted())
-        checkpoint.interrupt("after the rock of seed " + std::to_string(study.seeds().back().seed));
-    }
-    const RandomToughnessResults results(config, study, checkpoint.manifest(), watch.seconds());
-    results.write(folder);
-    say_where(options, results.text());
-  });
+  RandomToughnessStudy study(config, options.threads);
+  return run(options, config, manifest, study,
+             [&](const OutputFolder& folder, Checkpoint& checkpoint, const Stopwatch& watch) {
+               ProgressLine progress(options.quiet);
+               while (!study.complete()) {
+                 study.test_next(progress);
+                 checkpoint.save(study, watch);
+                 if (interrupted())
+                   checkpoint.interrupt("after the rock of seed " +
+                                        std::to_string(study.seeds().back().seed));
+               }
+               const RandomToughnessResults results(config, study, checkpoint.manifest(),
+                                                    watch.seconds());
+               results.write(folder);
+               say_where(options, results.text());
+             });
 }
 
 }  // namespace

@@ -125,8 +125,7 @@ TEST_CASE("what cannot be written is said, and what stood there stays") {
 
   ParaView out(folder.path, 1);
   fs::create_directories(folder.path / "contacts_0000.vtp" / "folder in the way");
-  CHECK_THROWS_WITH_AS(out.write(sim), doctest::Contains("contacts_0000.vtp"),
-                       hfdem::WriteFailed);
+  CHECK_THROWS_WITH_AS(out.write(sim), doctest::Contains("contacts_0000.vtp"), hfdem::WriteFailed);
   CHECK_THROWS_WITH_AS(ParaView(folder.path, 0),
                        "paraview.interval = 0 s is not allowed: it must be greater than 0 s",
                        hfdem::InvalidParameter);
