@@ -57,6 +57,7 @@ class EnergyRecord {
     s.set("energy/boundary_work_J_per_m", e.boundary);
     s.set("energy/fluid_work_J_per_m", e.fluid);
     s.set("energy/net_work_J_per_m", e.work());
+    s.set("energy/spent_J_per_m", e.spent());
     s.set("energy/elastic_J_per_m", e.elastic);
     s.set("energy/kinetic_J_per_m", e.kinetic);
     s.set("energy/friction_J_per_m", e.friction);
@@ -115,21 +116,21 @@ class EnergyRecord {
 
   observe::Table table(const Sim& sim) const {
     const auto& e = ledger_.entries();
-    observe::Table table{.header = {"", "J per m", "of the net work"}};
-    table.rows = {{"work of the fluid", observe::fixed(e.fluid, 3), "–"},
-                  {sim.loading().has_platens() ? "work of the platens" : "work of the dead loads",
-                   observe::fixed(e.boundary, 3), "–"}};
-    const auto row = [&](const std::string& name, double value) {
+    observe::Table table{.header = {"", "J per m", "of what was spent"}};
+    const auto row = [&](const std::string& name, double value, bool spent = false) {
       table.rows.push_back({name, observe::fixed(value, 3),
-                            e.work() > 0 ? observe::fixed(100 * value / e.work(), 2, "%") : "–"});
+                            spent ? observe::fixed(100 * value / e.spent(), 2, "%") : ""});
     };
+    row("work of the fluid", e.fluid);
+    row(sim.loading().has_platens() ? "work of the platens" : "work of the dead loads", e.boundary);
     row("net work", e.work());
     row("stored in contacts", e.elastic);
     row("kinetic energy", e.kinetic);
-    row("damping", e.damping);
-    row("set free by bonds that broke", e.breaks);
-    row("friction", e.friction);
     row("opening and closing within time steps", e.switching);
+    row("spent", e.spent(), e.spent() > 0);
+    row("by damping", e.damping, e.spent() > 0);
+    row("by bonds that broke", e.breaks, e.spent() > 0);
+    row("by friction", e.friction, e.spent() > 0);
     return table;
   }
 

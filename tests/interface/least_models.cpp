@@ -2,6 +2,7 @@
 /// The least models of the concept pages do what their pages say, and make a simulator together.
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/measure/elastic_moduli.hpp>
+#include <hfdem/measure/energy_ledger.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
 #include <hfdem/setup/square_array.hpp>
 #include <hfdem/simulator.hpp>
@@ -61,6 +62,20 @@ TEST_CASE("the least models make a simulator: pressure opens its crack") {
   CHECK(gap > 1e-6);
   CHECK(sim.network().width(sim.preset_contacts().front()) == Approx(3e-6 + gap).epsilon(1e-9));
   CHECK(sim.breaks().empty());
+}
+
+TEST_CASE("books of energy close for a law of one's own that says what it stores") {
+  Simulator<LawWithEnergy, RoughWalls, PressureSteps, AllPairs> sim{
+      square_array(12, 12, 5e-3), {.in_situ = {5e6, 6e6}, .scheme = {.rise = 5e6}}};
+  measure::EnergyLedger<LawWithEnergy> ledger;
+  try {
+    while (true) sim.step(ledger);
+  } catch (const ReachedRim&) {  // the end of a crack under rising pressure
+  }
+  CHECK(ledger.worst_relative_error() < 1e-9);
+  CHECK(ledger.entries().breaks > 1e-4 * ledger.work_done());
+  CHECK(ledger.entries().switching != 0);
+  CHECK(ledger.entries().friction == 0);
 }
 
 TEST_CASE("parameters of one's own policies are checked like any others") {

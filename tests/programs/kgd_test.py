@@ -192,6 +192,8 @@ class KgdTest(unittest.TestCase):
             self.assertLess(abs(work - spent), 1e-8 * (abs(e["boundary_work"]) + e["fluid_work"]))
         for name in ("boundary_work", "fluid_work", "damping", "breaks"):
             self.assertAlmostEqual(float(rows[-1][name + "_J_per_m"]) / entries[name], 1, delta=1e-8)
+        self.assertAlmostEqual(entries["spent"], sum(entries[name] for name in
+                                                     ("friction", "damping", "breaks")), delta=1e-9)
         page = (self.path("out") / "report.html").read_text()
         self.assertIn("Where the work went", page)
 

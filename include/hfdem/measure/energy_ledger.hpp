@@ -41,9 +41,10 @@ struct EnergyEntries {
   double switching =
       0;  ///< spent, or if negative made, by steps in which a contact opens or closes
 
-  double work() const { return boundary + fluid; }  ///< of all that acts from outside
+  double work() const { return boundary + fluid; }              ///< of all that acts from outside
+  double spent() const { return friction + damping + breaks; }  ///< gone for good
   /// What the entries account for.
-  double accounted() const { return elastic + kinetic + friction + damping + breaks + switching; }
+  double accounted() const { return elastic + kinetic + spent() + switching; }
 };
 
 /// What a ledger has to know of one contact at one instant.
