@@ -54,8 +54,8 @@ class RockTestsResults {
       const measure::SampleMean m = p.mean();
       const double factor = scale(p);
       char line[120];
-      std::snprintf(line, sizeof line, "%-32s %8.3f  %8s  %9s %s\n", p.name.c_str(), m.mean / factor,
-                    plain_number(m.ci95 / factor, 3).c_str(),
+      std::snprintf(line, sizeof line, "%-32s %8.3f  %8s  %9s %s\n", p.name.c_str(),
+                    m.mean / factor, plain_number(m.ci95 / factor, 3).c_str(),
                     plain_number(p.paper / factor, 2).c_str(),
                     said(p.mean().mean, p.unit).unit == "°" ? "deg" : unit(p).c_str());
       text += line;

@@ -9,7 +9,6 @@
 
 #include <doctest/doctest.h>
 
-
 using namespace hfdem;
 using support::GrowthPrediction;
 using support::PlateInjection;
