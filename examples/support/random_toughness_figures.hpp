@@ -2,6 +2,7 @@
 /// The figures of a study of random rock.
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include <hfdem/observe/chart.hpp>
@@ -76,7 +77,9 @@ class RandomToughnessFigures {
         const measure::SampleMean opening =
             study_.mean([&](const auto& s) { return s.slits.readings[k].slit.states[j].opening; });
         line.x.push_back(p / 1e6), line.y.push_back(opening.mean * 1e6);
-        const double width = 2 * length * study_.seeds().front().plate.factors(length).width;
+        const double reach = std::fmin(2 * config_.study.opening_reach / length, 1.0);
+        const double width = 2 * length * study_.seeds().front().plate.factors(length).width *
+                             measure::mean_of_ellipse(reach);
         plate.x.push_back(p / 1e6);
         plate.y.push_back((p - rock_.closing_excess) * width / rock_.E_prime * 1e6);
       }

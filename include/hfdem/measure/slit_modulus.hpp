@@ -83,15 +83,12 @@ struct SlitModulus {
   double closing_excess = 0;        ///< mean, Pa
 };
 
-namespace detail {
-
-/// The mean height of the unit half-circle within `reach` of its middle, which is at most 1: a
-/// crack is an ellipse, nearly so in a finite plate.
+/// The mean height of the unit half-circle within `reach` of its middle: a crack is an ellipse,
+/// nearly so in a finite plate.
+/// @param reach from 0 to 1
 inline double mean_of_ellipse(double reach) {
   return reach == 0 ? 1 : (std::sqrt(1 - reach * reach) + std::asin(reach) / reach) / 2;
 }
-
-}  // namespace detail
 
 /// Compares the slits with the finite plate, whose factors it needs and whose modulus it does not.
 /// @param slits one or more, each read at two pressures or more
@@ -105,7 +102,7 @@ SlitModulus slit_modulus(const std::vector<SlitTest>& slits, const Plate& plate,
     const double a = slit.half_length;
     const auto factors = plate.factors(2 * a);
     const double E_prime = 2 * std::numbers::pi * a * a * factors.volume / slit.volume.slope;
-    const double mean = detail::mean_of_ellipse(std::fmin(reach / a, 1.0));
+    const double mean = mean_of_ellipse(std::fmin(reach / a, 1.0));
     const double from_opening = 4 * a * factors.width * mean / slit.opening.slope;
     const double closing = -slit.volume.intercept / slit.volume.slope;
     modulus.readings.push_back({slit, E_prime, from_opening, closing});
