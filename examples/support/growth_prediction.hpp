@@ -24,15 +24,20 @@ struct PlateInjection {
   double preset_length = 0;  ///< of the crack when the injection begins, m
 };
 
+/// @throws InvalidParameter if the plate is too oblong for its solution
+inline void check_shape(const PlateInjection& p) {
+  if (p.width > 2 * p.height || p.height > 2 * p.width)
+    refuse("specimen", "height", to_text(p.height) + " m",
+           "half to twice specimen.width: the finite plate is solved for no others");
+}
+
 /// The plate in which a crack runs along the greater in-situ stress.
 /// @param E_prime of the rock, Pa
 /// @param poisson_ratio in the plane; only frozen platens feel it
 /// @throws InvalidParameter if the plate is too oblong for its solution
 inline analytic::CrackedPlate plate_of(const PlateInjection& p, double E_prime,
                                        double poisson_ratio) {
-  if (p.width > 2 * p.height || p.height > 2 * p.width)
-    refuse("specimen", "height", to_text(p.height) + " m",
-           "half to twice specimen.width: the finite plate is solved for no others");
+  check_shape(p);
   const bool upright = crack_direction(p.in_situ).y != 0;
   const double along = upright ? p.height : p.width, across = upright ? p.width : p.height;
   const analytic::OrthotropicPlane plane{E_prime, poisson_ratio,

@@ -78,11 +78,19 @@ struct RandomToughnessConfig : SectionTree<RandomToughnessConfig> {
     if (rock.in_situ.xx == 0 && rock.in_situ.yy == 0)
       refuse("in_situ", "xx", "0 Pa, and in_situ.yy too,",
              "greater than 0: equilibrium is judged by the forces that the in-situ stress makes");
+    check_shape(plate_injection());
     const bool upright = crack_direction(rock.in_situ).y != 0;
-    const double most = 0.9 * (upright ? rock.specimen.height : rock.specimen.width);
+    const double along = upright ? rock.specimen.height : rock.specimen.width, most = 0.9 * along;
     if (slits.longest > most)
       refuse("slits", "longest", to_text(slits.longest) + " m",
              "at most " + to_text(most) + " m: a slit needs rock ahead of its tips");
+    if (crack.length && *crack.length >= running.from * along)
+      refuse("crack", "length", to_text(*crack.length) + " m",
+             "less than " + to_text(running.from * along) +
+                 " m, running.from of the width: a crack that runs has grown");
+    if (study.opening_reach > slits.shortest / 2)
+      refuse("study", "opening_reach", to_text(study.opening_reach) + " m",
+             "at most " + to_text(slits.shortest / 2) + " m, half of slits.shortest");
     if (study.seeds - 1 > std::numeric_limits<int>::max() - rock.specimen.seed)
       refuse("specimen", "seed", std::to_string(rock.specimen.seed),
              "small enough for study.seeds more");

@@ -264,6 +264,8 @@ class RandomRockTest(unittest.TestCase):
         self.refused("--set", "slits.longest=0.28", words=["slits.longest = 0.28 m", "0.27"])
         self.refused("--set", "slits.longest=0.05", words=["slits.longest", "slits.shortest"])
         self.refused("--set", "slits.highest_pressure=1e6", words=["slits.highest_pressure"])
+        self.refused("--set", "study.opening_reach=0.05", words=["study.opening_reach", "0.04 m"])
+        self.refused("--set", "crack.length=0.1", words=["crack.length = 0.1 m", "0.06 m"])
         self.refused("--set", "running.from=0.7", words=["running.to = 0.6", "running.from"])
         self.refused("--set", "specimen.height=1", words=["specimen.height = 1 m", "half to twice"])
         self.refused("--set", "specimen.columns=40", words=["columns", "radius_min"])
