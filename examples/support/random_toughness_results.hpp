@@ -70,9 +70,9 @@ class RandomToughnessResults {
             with_interval(K_, 1e6, 3, "MPa sqrt(m)") + " above the closing pressure\n";
     text += "predicted growth          runs\n";
     for (const Comparison& c : compared_) {
-      std::snprintf(line, sizeof line, "t = %-5.3g s   %.3f m      %.3f m, of %zu of %zu cracks\n",
-                    c.time, c.predicted.full_length, c.length.mean, c.length.samples,
-                    study_.seeds().size());
+      std::snprintf(line, sizeof line, "t = %-5.3g s   %.3f m      %s m, of %zu of %zu cracks\n",
+                    c.time, c.predicted.full_length, observe::fixed(c.length.mean, 3).c_str(),
+                    c.length.samples, study_.seeds().size());
       text += line;
     }
     std::snprintf(line, sizeof line, "the plate splits at %.3f s, from %.3f m\n",
@@ -144,9 +144,10 @@ class RandomToughnessResults {
 
   static void set(Summary& s, const std::string& name, const measure::SampleMean& m,
                   const std::string& unit) {
-    s.set(name + "/mean_" + unit, m.mean);
-    s.set(name + "/standard_deviation_" + unit, m.deviation);
-    s.set(name + "/interval_95_" + unit, m.ci95);
+    const std::string in = unit.empty() ? "" : "_" + unit;
+    s.set(name + "/mean" + in, m.mean);
+    s.set(name + "/standard_deviation" + in, m.deviation);
+    s.set(name + "/interval_95" + in, m.ci95);
     s.set(name + "/seeds", static_cast<long>(m.samples));
   }
 
@@ -159,7 +160,7 @@ class RandomToughnessResults {
     set(s, "K_IC_above_in_situ", K_in_situ_, "Pa_sqrt_m");
     set(s, "closing_excess", closing(), "Pa");
     set(s, "E", young(), "Pa");
-    set(s, "poisson_ratio", study_.mean([](const auto& r) { return r.moduli.poisson; }), "1");
+    set(s, "poisson_ratio", study_.mean([](const auto& r) { return r.moduli.poisson; }), "");
     for (std::size_t k = 0; k < study_.seeds().size(); ++k) {
       const SeedResult& r = study_.seeds()[k];
       const std::string at = "seeds/" + std::to_string(k) + "/";

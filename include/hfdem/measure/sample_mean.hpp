@@ -42,14 +42,15 @@ struct SampleMean {
   double deviation;     ///< standard deviation of the values; likewise
   std::size_t samples;  ///< number of values
 
-  /// @param values one or more
+  /// @param values any number; of none, not a number
   static SampleMean of(std::span<const double> values) {
     const auto count = static_cast<double>(values.size());
     double mean = 0, squares = 0;
     for (const double v : values) mean += v / count;
     for (const double v : values) squares += (v - mean) * (v - mean);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    if (values.size() < 2) return {mean, none, none, values.size()};
+    if (values.empty()) return {none, none, none, 0};
+    if (values.size() < 2) return {mean, none, none, 1};
     const double deviation = std::sqrt(squares / (count - 1));
     return {mean, student_t_95(static_cast<int>(values.size()) - 1) * deviation / std::sqrt(count),
             deviation, values.size()};
