@@ -183,7 +183,7 @@ MUTATIONS = [
     ("pull of the grips", "measure/rock_tests.hpp", "(pull(below) - pull(above)) / (2 *", "(pull(below) - pull(above)) / (2.1 *", "measures/rock_tests"),
     ("speed of the grips", "measure/rock_tests.hpp", "(lowest - highest) / 2", "(lowest - highest) / 1.9", "measures/rock_tests"),
     ("confinement", "measure/rock_tests.hpp", "rock_.set_stress({stress, stress});", "rock_.set_stress({1.05 * stress, stress});", "measures/rock_tests"),
-    ("grains that grips hold", "measure/rock_tests.hpp", "std::erase_if(free_", "std::erase_if(*std::make_unique<std::vector<Index>>()", "measures/rock_tests"),
+    ("grains that grips hold", "measure/rock_tests.hpp", "binary_search(discs.begin(), discs.end()", "binary_search(discs.begin(), discs.begin()", "measures/rock_tests"),
     ("Brazilian tension", "setup/brazilian_disc.hpp", "- a) / std::sin(a)", "- a) / a", "measures/rock_tests"),
     ("width of the flats", "setup/brazilian_disc.hpp", "(beside_flat && at_platen)", "false", "measures/rock_tests"),
     ("Coulomb line's angle", "measure/mohr_coulomb.hpp", "(K + 1)) * 180", "(K + 1.1)) * 180", "measures/rock_tests"),
