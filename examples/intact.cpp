@@ -30,14 +30,15 @@ namespace {
 /// outcome.
 std::unique_ptr<IntactResults> run(const OutputFolder& folder, const IntactConfig& config,
                                    const Specimen& specimen, const CommandLine& options,
+                                   const std::optional<MeasuredRock>& measured,
                                    Checkpoint& checkpoint) {
   if (!checkpoint.resumes())
     folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.txt",
                     "fracture.svg", "aperture_map.svg", "pressure_map.svg", "stress.svg",
                     "pressure.svg", "tips.svg", "length.svg", "aperture.svg", "energy.csv"});
   folder.write("config.toml", to_toml(config));
-  auto results =
-      std::make_unique<IntactResults>(folder, config, checkpoint.manifest(), checkpoint.resumes());
+  auto results = std::make_unique<IntactResults>(folder, config, checkpoint.manifest(), measured,
+                                                 checkpoint.resumes());
   std::optional<Rock> sim;
   const RunEnd end = end_of([&] {
     make_or_resume(sim, checkpoint, specimen, config.simulator);
@@ -53,24 +54,25 @@ std::unique_ptr<IntactResults> run(const OutputFolder& folder, const IntactConfi
 }
 
 int run_one(const CommandLine& options, const IntactConfig& config,
-            const std::string& specimen_file, const Manifest& manifest) {
+            const std::string& specimen_file, const std::optional<MeasuredRock>& measured,
+            const Manifest& manifest) {
   Checkpoint checkpoint(options, manifest, to_toml(config));
   const std::string file = checkpoint.resumes() ? options.out + "/specimen.txt" : specimen_file;
   const Specimen specimen =
       file.empty() ? random_packing(config.specimen, options.threads) : load_specimen(file);
   const OutputFolder folder(options.out);
-  const auto results = run(folder, config, specimen, options, checkpoint);
+  const auto results = run(folder, config, specimen, options, measured, checkpoint);
   if (!options.quiet) std::printf("Open this in a browser: %s/report.html\n", options.out.c_str());
   return results->stopped() ? run_stopped : success;
 }
 
 int run_seeds(const CommandLine& options, IntactConfig config, int seeds,
-              const Manifest& manifest) {
+              const std::optional<MeasuredRock>& measured, const Manifest& manifest) {
   Checkpoint checkpoint(options, manifest, to_toml(config));
   const OutputFolder folder(options.out);
   folder.discard(IntactSeeds::files);
   folder.write("config.toml", to_toml(config));
-  IntactSeeds all(config, checkpoint.manifest());
+  IntactSeeds all(config, checkpoint.manifest(), measured);
   checkpoint.resumes() ? checkpoint.load(all) : checkpoint.save(all);
   const int first = config.specimen.seed;
   for (int k = all.done(); k < seeds; ++k) {
@@ -83,8 +85,9 @@ int run_seeds(const CommandLine& options, IntactConfig config, int seeds,
     try {
       Checkpoint inner(of_seed, manifest, to_toml(config));
       const OutputFolder inner_folder(of_seed.out);
-      const auto results = run(inner_folder, config,
-                               random_packing(config.specimen, options.threads), of_seed, inner);
+      const auto results =
+          run(inner_folder, config, random_packing(config.specimen, options.threads), of_seed,
+              measured, inner);
       all.add(config.specimen.seed, *results);
     } catch (const Interrupted&) {
       checkpoint.interrupt("in the rock of seed " + std::to_string(config.specimen.seed));
@@ -105,7 +108,7 @@ int main(int argc, char** argv) {
   CLI::App app{"A fluid-driven crack through intact rock: bonded discs of random size and place"};
   CommandLine options;
   options.add_to(app);
-  std::string which, preset, specimen;
+  std::string which, preset, specimen, toughness;
   std::optional<int> seed;
   int seeds = 1;
   app.add_option("--case", which, "a case of the paper's Table 4 (default 2-S1)")
@@ -120,6 +123,11 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingFile)
       ->excludes("--seeds")
       ->excludes("--seed");
+  app.add_option(
+         "--toughness", toughness,
+         "what slits and running cracks measured (toughness.toml of toughness --rock random), "
+         "to predict the run")
+      ->check(CLI::ExistingFile);
   return guarded("intact", app, [&] {
     app.parse(argc, argv);
     let_waiting_threads_sleep(options.threads, argv);
@@ -130,12 +138,15 @@ int main(int argc, char** argv) {
     if (seed) config.specimen.seed = *seed;
     options.configure(config);
     config.simulator.scheme = config.simulator.scheme.resolved();
+    std::optional<MeasuredRock> measured;
+    if (!toughness.empty()) measured = read_rock(toughness);
+    static_cast<void>(prediction_of(measured, config));  // refuses before any run
     // A checkpoint of several rocks is none of a single one.
     const Manifest made =
         manifest(seeds > 1 ? "intact --seeds" : "intact", argc, argv, options.threads,
                  specimen.empty() ? std::to_string(config.specimen.seed)
                                   : "none: the specimen is from a file");
-    return seeds > 1 ? run_seeds(options, config, seeds, made)
-                     : run_one(options, config, specimen, made);
+    return seeds > 1 ? run_seeds(options, config, seeds, measured, made)
+                     : run_one(options, config, specimen, measured, made);
   });
 }

@@ -15,6 +15,7 @@
 #include <hfdem/observe/growth.hpp>
 #include <hfdem/observe/stress_map.hpp>
 
+#include "support/growth_prediction.hpp"
 #include "support/paper.hpp"
 #include "support/rock_model.hpp"
 
@@ -38,14 +39,39 @@ inline analytic::KgdFracture paper_kgd(const IntactConfig& c, double time) {
                                     c.simulator.injection.rate, time);
 }
 
+/// Below the other lines: growth in the finite plate, as modulus and toughness of the rock say.
+template <class F>
+void add_predicted(observe::Chart& chart, const GrowthPrediction* prediction, F&& value) {
+  if (prediction == nullptr || !chart.x_range) return;
+  observe::Series s{.name = "predicted, finite plate",
+                    .style = observe::Series::Style::dotted,
+                    .colour = observe::okabe_ito::vermillion};
+  constexpr int points = 500;
+  for (int k = 1; k <= points; ++k) {
+    const double time = chart.x_range->high * k / points;
+    const auto crack = prediction->at(time);
+    if (!crack) break;
+    s.x.push_back(time);
+    s.y.push_back(value(*crack));
+  }
+  chart.series.insert(chart.series.begin(), std::move(s));
+  chart.caption +=
+      " Predicted: growth in the finite plate, with modulus and toughness measured in other rocks "
+      "of "
+      "this kind.";
+}
+
 class IntactFigures {
  public:
   using Instants = std::vector<observe::GrowthInstant>;
 
-  IntactFigures(const IntactConfig& config, const Rock& sim, const Instants& history)
+  /// @param prediction to draw beside the run; null if there is none
+  IntactFigures(const IntactConfig& config, const Rock& sim, const Instants& history,
+                const GrowthPrediction* prediction)
       : config_(config),
         sim_(sim),
         history_(history),
+        prediction_(prediction),
         conditions_(described(config, static_cast<long>(sim.discs().size()))),
         at_time_(" at t = " + observe::fixed(sim.time(), 3, "s")) {}
 
@@ -95,6 +121,7 @@ class IntactFigures {
                      .y = {closing, closing},
                      .style = observe::Series::Style::dashed,
                      .colour = observe::okabe_ito::black}};
+    add_predicted(chart, prediction_, [](const auto& crack) { return crack.pressure / 1e6; });
     return chart;
   }
   /// Figs. 10b, 11b.
@@ -120,6 +147,7 @@ class IntactFigures {
         series("from tip to tip", [](const auto& i) { return i.tip_distance; }),
         kgd([](const auto& f) { return f.full_length(); })};
     chart.series[0].colour = observe::okabe_ito::sky_blue;
+    add_predicted(chart, prediction_, [](const auto& crack) { return crack.full_length; });
     add_paper(chart, "paper, microcracks", paper::Intact::total_length);
     add_paper(chart, "paper, tip to tip", paper::Intact::tip_distance);
     return chart;
@@ -130,6 +158,8 @@ class IntactFigures {
     chart.caption = "Mean over 30 mm of crack to both sides of the injection. " + reference();
     chart.series = {series("hfdem", [](const auto& i) { return i.aperture * 1e6; }),
                     kgd([](const auto& f) { return f.width * 1e6; })};
+    const double w0 = config_.simulator.aperture.w0;
+    add_predicted(chart, prediction_, [w0](const auto& c) { return (c.opening + w0) * 1e6; });
     add_paper(chart, "paper (numerical)", paper::Intact::aperture * 1e6);
     return chart;
   }
@@ -197,6 +227,7 @@ class IntactFigures {
   const IntactConfig& config_;
   const Rock& sim_;
   const Instants& history_;
+  const GrowthPrediction* prediction_;
   std::string conditions_, at_time_;
 };
 

@@ -13,6 +13,7 @@
 
 #include "support/energy_record.hpp"
 #include "support/growing_file.hpp"
+#include "support/intact_prediction.hpp"
 #include "support/intact_recorder.hpp"
 #include "support/intact_report.hpp"
 #include "support/output_folder.hpp"
@@ -24,12 +25,14 @@ namespace hfdem::support {
 /// run, what was written stays.
 class IntactResults {
  public:
+  /// @param measured modulus and toughness to predict the run with, if there are some
   /// @param resumes whether the run goes on with what is in the folder
   IntactResults(const OutputFolder& folder, const IntactConfig& config, const Manifest& manifest,
-                bool resumes)
+                const std::optional<MeasuredRock>& measured, bool resumes)
       : folder_(folder),
         config_(config),
         manifest_(manifest),
+        measured_(measured),
         history_file_(folder, "history.csv", resumes),
         recorder_(config, history_file_.out()),
         paraview_(folder.path() / "paraview", config.run.snapshot_interval) {
@@ -55,7 +58,7 @@ class IntactResults {
 
   /// What the run has come to so far.
   void exchange(auto& archive) {
-    archive(history_file_, recorder_, paraview_);
+    archive(measured_, history_file_, recorder_, paraview_);
     if (energy_) archive(*energy_);
   }
 
@@ -70,7 +73,9 @@ class IntactResults {
     std::ostringstream cracks;
     observe::write_cracks(cracks, sim);
     folder_.write("cracks.csv", cracks.str());
-    const IntactFigures figures(config_, sim, growth().instants());
+    const auto prediction = prediction_of(measured_, config_);
+    const IntactFigures figures(config_, sim, growth().instants(),
+                                prediction ? &*prediction : nullptr);
     folder_.write("fracture.svg", svg(figures.fracture()));
     folder_.write("aperture_map.svg", svg(figures.apertures()));
     folder_.write("pressure_map.svg", svg(figures.net_pressures()));
@@ -141,6 +146,8 @@ class IntactResults {
     summarise(s, config_, sim, outcome_, growth());
     s.set("threads", manifest_.threads);
     if (energy_) energy_->summarise(s);
+    if (const auto prediction = prediction_of(measured_, config_))
+      summarise(s, *prediction, outcome_.end);
     const auto kgd = paper_kgd(config_, outcome_.end.time);
     s.set("kgd/E_prime_Pa", paper::Intact::E_prime);
     s.set("kgd/K_IC_Pa_sqrt_m", paper::Intact::K_IC);
@@ -156,6 +163,7 @@ class IntactResults {
   const OutputFolder& folder_;
   const IntactConfig& config_;
   const Manifest& manifest_;
+  std::optional<MeasuredRock> measured_;
   GrowingFile history_file_;
   IntactRecorder recorder_;
   observe::ParaView paraview_;

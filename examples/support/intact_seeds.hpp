@@ -7,11 +7,14 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <hfdem/measure/sample_mean.hpp>
 
+#include "support/intact_prediction.hpp"
 #include "support/intact_results.hpp"
 
 namespace hfdem::support {
@@ -67,8 +70,10 @@ class IntactSeeds {
   static constexpr std::array files{"report.html", "summary.json", "seeds.csv", "pressure.svg",
                                     "length.svg"};
 
-  IntactSeeds(const IntactConfig& config, const Manifest& manifest)
-      : config_(config), manifest_(manifest) {}
+  /// @param measured modulus and toughness to predict the runs with, if there are some
+  IntactSeeds(const IntactConfig& config, const Manifest& manifest,
+              std::optional<MeasuredRock> measured)
+      : config_(config), manifest_(manifest), measured_(std::move(measured)) {}
 
   void add(int seed, const IntactResults& run) {
     if (run.stopped()) {
@@ -84,7 +89,7 @@ class IntactSeeds {
   int done() const { return static_cast<int>(runs_.size() + stopped_.size()); }
 
   /// What the runs have come to so far.
-  void exchange(auto& archive) { archive(runs_, stopped_); }
+  void exchange(auto& archive) { archive(measured_, runs_, stopped_); }
 
   void write(const OutputFolder& folder) const {
     folder.write("seeds.csv", table());
@@ -188,15 +193,26 @@ class IntactSeeds {
     return chart;
   }
   observe::Chart pressure() const {
-    return bundle("Injection pressure", "pressure (MPa)",
-                  [](const auto& i) { return i.pressure / 1e6; });
+    auto chart = bundle("Injection pressure", "pressure (MPa)",
+                        [](const auto& i) { return i.pressure / 1e6; });
+    predict(chart, [](const auto& crack) { return crack.pressure / 1e6; });
+    return chart;
   }
   observe::Chart length() const {
     auto chart = bundle("Distance between the tips", "distance (m)",
                         [](const auto& i) { return i.tip_distance; });
+    predict(chart, [](const auto& crack) { return crack.full_length; });
     if (config_.is_paper_case_S1())
       chart.points = {{"paper", paper::Intact::time, paper::Intact::tip_distance}};
     return chart;
+  }
+  template <class F>
+  void predict(observe::Chart& chart, F&& value) const {
+    double last = 0;
+    for (const Run& run : runs_) last = std::fmax(last, run.history.back().time);
+    chart.x_range = observe::Range{0, std::fmax(last, config_.is_paper_case_S1() ? 1.53 : 0)};
+    const auto prediction = prediction_of(measured_, config_);
+    add_predicted(chart, prediction ? &*prediction : nullptr, value);
   }
 
   std::string conditions() const {
@@ -254,6 +270,7 @@ class IntactSeeds {
 
   const IntactConfig config_;
   const Manifest& manifest_;
+  std::optional<MeasuredRock> measured_;
   std::vector<RockReading> readings_ = rock_readings();
   std::vector<Run> runs_;
   std::vector<int> stopped_;

@@ -1,0 +1,47 @@
+/// @file
+/// What modulus and toughness of a rock predict for a run in it.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include <hfdem/observe/growth.hpp>
+
+#include "support/growth_prediction.hpp"
+#include "support/random_toughness_model.hpp"
+#include "support/rock_model.hpp"
+#include "support/summary.hpp"
+
+namespace hfdem::support {
+
+/// The injection of a run, into a plate.
+inline PlateInjection plate_injection(const IntactConfig& c) {
+  return {.width = c.specimen.width,
+          .height = c.specimen.height,
+          .boundary = c.simulator.boundary.kind,
+          .in_situ = c.simulator.in_situ,
+          .rate = c.simulator.injection.rate,
+          .preset_length = c.simulator.crack.length.value_or(0)};
+}
+
+/// Nothing without a measured rock.
+/// @throws InvalidParameter if the specimen is no plate that the solution knows
+inline std::optional<GrowthPrediction> prediction_of(const std::optional<MeasuredRock>& measured,
+                                                     const IntactConfig& config) {
+  if (!measured) return {};
+  return GrowthPrediction(measured->fracture, plate_injection(config));
+}
+
+/// The prediction for the moment at which a run ended, beside it.
+inline void summarise(Summary& s, const GrowthPrediction& prediction,
+                      const observe::GrowthInstant& end) {
+  s.set("predicted/splitting_time_s", prediction.splitting_time());
+  s.set("predicted/splitting_length_m", prediction.splitting_length());
+  const auto crack = prediction.at(end.time);
+  if (!crack) return;
+  s.compare("predicted/tip_distance_m", end.tip_distance, crack->full_length);
+  s.compare("predicted/mean_opening_m", end.opening, crack->opening);
+  s.compare("predicted/injection_pressure_Pa", end.pressure, crack->pressure);
+}
+
+}  // namespace hfdem::support
