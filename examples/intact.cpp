@@ -112,22 +112,27 @@ int main(int argc, char** argv) {
   std::optional<int> seed;
   int seeds = 1;
   app.add_option("--case", which, "a case of the paper's Table 4 (default 2-S1)")
-      ->check(CLI::IsMember(IntactConfig::cases));
+      ->check(CLI::IsMember(IntactConfig::cases))
+      ->excludes("--resume");
   app.add_option("--preset", preset,
                  "paper: choices found by trial that land on the numbers that the paper prints")
-      ->check(CLI::IsMember({"paper"}));
-  app.add_option("--seed", seed, "of the random specimen: every seed is another rock");
+      ->check(CLI::IsMember({"paper"}))
+      ->excludes("--resume");
+  app.add_option("--seed", seed, "of the random specimen: every seed is another rock")
+      ->excludes("--resume");
   app.add_option("--seeds", seeds, "how many rocks, from --seed on: means and 95 % intervals")
       ->check(CLI::Range(1, 10000));
   app.add_option("--specimen", specimen, "file with the discs, instead of a random specimen")
       ->check(CLI::ExistingFile)
       ->excludes("--seeds")
-      ->excludes("--seed");
+      ->excludes("--seed")
+      ->excludes("--resume");
   app.add_option(
          "--toughness", toughness,
          "what slits and running cracks measured (toughness.toml of toughness --rock random), "
          "to predict the run")
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingFile)
+      ->excludes("--resume");
   return guarded("intact", app, [&] {
     app.parse(argc, argv);
     let_waiting_threads_sleep(options.threads, argv);

@@ -54,6 +54,9 @@ inline void summarise(Summary& s, const IntactConfig& config, const Rock& sim,
   s.set("microcracks/shear", connected.shear + unconnected.shear);
   s.set("microcracks/preset", connected.preset + unconnected.preset);
   s.set("microcracks/unconnected", unconnected.total());
+  long settling = 0;
+  for (const BondBreak& b : sim.breaks()) settling += b.time > 0 ? 0 : 1;
+  s.set("microcracks/broken_while_settling", settling);
   s.set("reached_rim_at_s", o.rim_time.value_or(NAN));
   s.set("mean_aperture_m", o.end.aperture);
   s.set("mean_opening_m", o.end.opening);

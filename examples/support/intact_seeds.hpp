@@ -57,7 +57,8 @@ inline std::vector<RockReading> rock_readings() {
     };
     using observe::GrowthInstant;
     add("tip_distance_m", "tips", "m", &GrowthInstant::tip_distance, Intact::tip_distance);
-    add("total_length_m", "microcracks", "m", &GrowthInstant::total_length, Intact::total_length);
+    add("connected_length_m", "microcracks", "m", &GrowthInstant::connected_length,
+        Intact::total_length);
     add("tortuosity", "tortuosity", "", &GrowthInstant::tortuosity, Intact::tortuosity);
     add("mean_aperture_m", "aperture", "m", &GrowthInstant::aperture, Intact::aperture);
   }
@@ -85,6 +86,8 @@ class IntactSeeds {
       runs_.back().values.push_back(r.read(run.outcome(), run.growth()));
   }
 
+  /// What was measured, taken up from a checkpoint if the runs were.
+  const std::optional<MeasuredRock>& measured() const { return measured_; }
   /// How many rocks are done, runs that stopped among them.
   int done() const { return static_cast<int>(runs_.size() + stopped_.size()); }
 

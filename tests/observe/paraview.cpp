@@ -105,7 +105,7 @@ TEST_CASE("a file changes as a whole: until its new content is complete, the old
   hfdem::make_folder(folder.path);
   hfdem::write_whole_file(file, "old");
   fs::create_directory(folder.path / "file.part");
-  CHECK_THROWS_AS(hfdem::write_whole_file(file, "new"), hfdem::observe::WriteFailed);
+  CHECK_THROWS_AS(hfdem::write_whole_file(file, "new"), hfdem::WriteFailed);
   CHECK(content(file) == "old");
   fs::remove(folder.path / "file.part");
   hfdem::write_whole_file(file, "new");

@@ -1,6 +1,6 @@
 """Runs that are killed or asked to stop, and resumed: the results of a run without a break.
 
-    python3 tests/programs/checkpoint_test.py build/release/examples/kgd build/release/examples/toughness
+    python3 tests/programs/checkpoint_test.py build/release/examples
 """
 
 import json
@@ -15,7 +15,11 @@ import tempfile
 import time
 import unittest
 
-KGD, TOUGHNESS = sys.argv.pop(1), sys.argv.pop(1)
+PROGRAMS = pathlib.Path(sys.argv.pop(1))
+KGD, TOUGHNESS, INTACT = PROGRAMS / "kgd", PROGRAMS / "toughness", PROGRAMS / "intact"
+SMALL_ROCK = ("--quick", "--set", "specimen.width=0.12", "--set", "specimen.height=0.12",
+              "--set", "specimen.grains=250", "--set", "run.end_time=0.02",
+              "--set", "run.snapshot_interval=0.002")
 SHORT_SLITS = ("--quick", "--set", "specimen.columns=20", "--set", "specimen.rows=20",
                "--set", "slits.shortest=4", "--set", "slits.longest=8")
 # What the clock and the command line set, and nothing else, may differ.
@@ -68,16 +72,16 @@ class CheckpointTest(unittest.TestCase):
             if name.name != "report.html":
                 self.assertTrue(a == b, f"{name} differs")
 
-    def check_killed(self, kills, *options, threads=("1",)):
+    def check_killed(self, kills, *options, program=KGD, threads=("1",)):
         """Kills a run at random moments until `kills` of them have hit it, and lets it finish."""
         begun = time.monotonic()
-        self.run_program(KGD, "--out", self.path("whole"), *options)
+        self.run_program(program, "--out", self.path("whole"), *options)
         longest = time.monotonic() - begun
         hits = resumed = 0
         while True:
             resumes = (self.path("killed") / "checkpoint").exists()
             status, words = self.interrupt(
-                KGD, "killed", *(() if resumes else options), "--checkpoint", "0.005", "--threads",
+                program, "killed", *(() if resumes else options), "--checkpoint", "0.005", "--threads",
                 self.random.choice(threads), after=self.random.uniform(0, 0.7 * longest),
                 by=signal.SIGKILL)
             if status != 0:
@@ -100,6 +104,38 @@ class CheckpointTest(unittest.TestCase):
         self.check_killed(3, "--set", "specimen.columns=50", "--set", "specimen.rows=50",
                           "--set", "scheme.equilibrium=true", "--set", "run.end_time=0.006",
                           "--set", "boundary.kind=dead_loads", threads=("1", "2", "3"))
+
+    def test_a_random_rock_killed_at_twenty_moments_gives_the_same_bytes(self):
+        self.check_killed(20, *SMALL_ROCK, "--set", "run.energy=true", program=INTACT)
+
+    def check_asked_to_stop(self, program, *options, keep=()):
+        """Asks a run to stop a few times, some part of its time apart, and lets it finish."""
+        begun = time.monotonic()
+        self.run_program(program, "--out", self.path("whole"), *options, *keep)
+        whole = time.monotonic() - begun
+        stops = 0
+        for _ in range(3):
+            status, words = self.interrupt(program, "stopped", *(() if stops else options), *keep,
+                                           by=signal.SIGTERM, after=0.2 * whole)
+            if status == 0:
+                break
+            self.assertEqual(status, 4, words)
+            self.assertIn("--resume " + str(self.path("stopped")) + "\n", words)
+            stops += 1
+        self.assertGreater(stops, 0)
+        if status != 0:
+            self.run_program(program, "--resume", self.path("stopped"), *keep)
+        self.check_same_results("whole", "stopped")
+
+    def test_several_rocks_go_on_in_the_middle_of_one(self):
+        self.check_asked_to_stop(INTACT, *SMALL_ROCK, keep=("--seeds", "3"))
+
+    def test_rock_tests_and_a_study_of_parameters_go_on_too(self):
+        self.check_asked_to_stop(PROGRAMS / "rock_tests", "--quick")
+        shutil.rmtree(self.path("whole"))
+        shutil.rmtree(self.path("stopped"))
+        self.check_asked_to_stop(PROGRAMS / "sensitivity", *SMALL_ROCK,
+                                 keep=("--seeds", "2", "--vary", "contact.friction=0.2"))
 
     def test_a_stopped_run_killed_on_its_way_stops_at_the_same_place(self):
         toughness = pathlib.Path(__file__).resolve().parents[2] / "examples/data/toughness.toml"
