@@ -213,9 +213,9 @@ class RandomRockTest(unittest.TestCase):
             unit = name[len(key) + 1:]
             self.assertAlmostEqual(summary[key]["mean_" + unit] / statistics.mean(values), 1,
                                    places=9)
-            # Student's t for two samples: 12.706.
+            # Student's t for two samples, to the digits of the textbook: 12.706.
             interval = 12.706 * statistics.stdev(values) / 2 ** 0.5
-            self.assertAlmostEqual(summary[key]["interval_95_" + unit] / interval, 1, places=6)
+            self.assertAlmostEqual(summary[key]["interval_95_" + unit] / interval, 1, places=4)
         rock = tomllib.loads((self.path("study") / "toughness.toml").read_text())
         self.assertAlmostEqual(rock["rock"]["K_IC"] / summary["K_IC"]["mean_Pa_sqrt_m"], 1,
                                places=9)
