@@ -67,14 +67,11 @@ std::string report(const IntactConfig& base, const SensitivityResults& results, 
       "First row: means. Below: mean changes, rock by rock, with the 95 % interval of Student's t. "
       "Tips, microcracks and tortuosity at 0.6 s, or when the crack reached the rim before.";
   page.table(table);
-  IntactConfig defaults;
-  defaults.simulator.scheme = defaults.simulator.scheme.resolved();
-  add_parameters(page, base, defaults);
-  page.section("Files");
-  page.files({{"table.md", "the table above, for documents"},
+  add_origin(page, base,
+             {{"table.md", "the table above, for documents"},
               {"runs.csv", "every reading of every run"},
-              {"config.toml", "the parameters of the first row"}});
-  add_manifest(page, made);
+              {"config.toml", "the parameters of the first row"}},
+             made);
   return page.html();
 }
 

@@ -9,6 +9,7 @@
 #include <hfdem/measure/energy_ledger.hpp>
 #include <hfdem/observe/chart.hpp>
 #include <hfdem/observe/history.hpp>
+#include <hfdem/observe/interval.hpp>
 #include <hfdem/observe/report.hpp>
 
 #include "support/growing_file.hpp"
@@ -35,8 +36,8 @@ class EnergyRecord {
   void mechanical_step(const Sim& sim) { ledger_.mechanical_step(sim); }
 
   void fluid_step(const Sim& sim) {
-    if (sim.time() + 1e-6 * interval_ < next_) return;
-    next_ = interval_ * (std::floor(sim.time() / interval_ + 1e-6) + 1);
+    if (!interval_.is_due(sim.time())) return;
+    interval_.wait_from(sim.time());
     const auto& e = ledger_.entries();
     times_.push_back(sim.time());
     entries_.push_back(e);
@@ -49,7 +50,7 @@ class EnergyRecord {
   void close() { file_.close(); }
 
   /// What the run has come to so far.
-  void exchange(auto& archive) { archive(next_, file_, ledger_, times_, entries_); }
+  void exchange(auto& archive) { archive(interval_, file_, ledger_, times_, entries_); }
 
   void summarise(Summary& s) const {
     const auto& e = ledger_.entries();
@@ -134,7 +135,7 @@ class EnergyRecord {
     return table;
   }
 
-  double interval_, next_ = 0;
+  observe::Interval interval_;
   GrowingFile file_;
   measure::EnergyLedger<typename Sim::ContactPolicy> ledger_;
   std::vector<double> times_;

@@ -50,7 +50,8 @@ class IntactReport {
     if (energy)
       energy->add_to(page_, sim, described(config_, static_cast<long>(sim.discs().size())));
     add_run(page_, sim, o.run, manifest_);
-    add_origin({{"summary.json", "the answer in numbers, with the references beside them"},
+    add_origin(page_, config_,
+               {{"summary.json", "the answer in numbers, with the references beside them"},
                 {"history.csv", "pressure, tips, lengths, aperture and volumes over time"},
                 {"profile.csv", "aperture, opening and net pressure along the path at the end"},
                 {"cracks.csv", "time, place, length and mode of every bond that broke"},
@@ -66,7 +67,8 @@ class IntactReport {
                 {"tips.svg", "both tips over time"},
                 {"length.svg", "length over time"},
                 {"aperture.svg", "aperture over time"},
-                {"stress.svg", "minimum principal stress"}});
+                {"stress.svg", "minimum principal stress"}},
+               manifest_);
     return page_.html();
   }
 
@@ -74,16 +76,14 @@ class IntactReport {
   std::string html(const std::string& reason) {
     page_.title = "No crack: the run could not begin";
     page_.stopped = "Before the injection began: " + reason + ".";
-    add_origin({{"config.toml", "every parameter; repeats the run with --config"},
-                {"history.csv", "no row: nothing was injected"}});
+    add_origin(page_, config_,
+               {{"config.toml", "every parameter; repeats the run with --config"},
+                {"history.csv", "no row: nothing was injected"}},
+               manifest_);
     return page_.html();
   }
 
  private:
-  static std::string metres(double v) { return observe::fixed(v, 3, "m"); }
-  static std::string micrometres(double v) { return observe::fixed(v * 1e6, 1, "µm"); }
-  static std::string megapascals(double v) { return observe::fixed(v / 1e6, 2, "MPa"); }
-
   /// A line with a published number, where it holds.
   static std::string published(bool holds, const std::string& value) {
     return holds ? "paper " + value : "";
@@ -166,15 +166,6 @@ class IntactReport {
          {"Poisson's ratio of the specimen", observe::fixed(o.moduli.poisson, 3)},
          {"a fluid step ends",
           config_.simulator.scheme.equilibrium ? "at equilibrium" : "by the paper's rule"}});
-  }
-
-  void add_origin(const std::vector<observe::File>& files) {
-    IntactConfig defaults;
-    defaults.simulator.scheme = defaults.simulator.scheme.resolved();
-    add_parameters(page_, config_, defaults);
-    page_.section("Files");
-    page_.files(files);
-    add_manifest(page_, manifest_);
   }
 
   const IntactConfig& config_;

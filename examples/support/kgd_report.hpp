@@ -59,7 +59,8 @@ class KgdReport {
     add_numbers(sim, o);
     if (energy) energy->add_to(page_, sim, described(config_));
     add_run(page_, sim, o.run, manifest_);
-    add_origin({{"summary.json", "the answer in numbers, with the references beside them"},
+    add_origin(page_, config_,
+               {{"summary.json", "the answer in numbers, with the references beside them"},
                 {"history.csv", "pressures, length, tips, aperture and volumes over time"},
                 {"profile.csv", "aperture, opening and pressure along the crack at the end"},
                 {"cracks.csv", "time, place, length and mode of every bond that broke"},
@@ -70,7 +71,8 @@ class KgdReport {
                 {"specimen.svg", "the first figure above, for other documents"},
                 {"length.svg", "length over time"},
                 {"aperture.svg", "aperture over time"},
-                {"pressure.svg", "injection pressure over time"}});
+                {"pressure.svg", "injection pressure over time"}},
+               manifest_);
     return page_.html();
   }
 
@@ -78,16 +80,14 @@ class KgdReport {
   std::string html(const std::string& reason) {
     page_.title = "No crack: the run could not begin";
     page_.stopped = "Before the injection began: " + reason + ".";
-    add_origin({{"config.toml", "every parameter; repeats the run with --config"},
-                {"history.csv", "no row: nothing was injected"}});
+    add_origin(page_, config_,
+               {{"config.toml", "every parameter; repeats the run with --config"},
+                {"history.csv", "no row: nothing was injected"}},
+               manifest_);
     return page_.html();
   }
 
  private:
-  static std::string metres(double v) { return observe::fixed(v, 3, "m"); }
-  static std::string micrometres(double v) { return observe::fixed(v * 1e6, 1, "µm"); }
-  static std::string megapascals(double v) { return observe::fixed(v / 1e6, 2, "MPa"); }
-
   static std::string millilitres(double v) {
     return observe::fixed(v * 1e6, 2, "mL") + " per metre of thickness";
   }
@@ -170,15 +170,6 @@ class KgdReport {
          {"Poisson's ratio of the specimen", observe::fixed(o.moduli.poisson, 3)},
          {"a fluid step ends",
           config_.simulator.scheme.equilibrium ? "at equilibrium" : "by the paper's rule"}});
-  }
-
-  void add_origin(const std::vector<observe::File>& files) {
-    KgdConfig defaults;
-    defaults.simulator.scheme = defaults.simulator.scheme.resolved();
-    add_parameters(page_, config_, defaults);
-    page_.section("Files");
-    page_.files(files);
-    add_manifest(page_, manifest_);
   }
 
   const KgdConfig& config_;

@@ -154,6 +154,11 @@ struct RunRecord {
   double wall = 0;       ///< s
 };
 
+// What reports say most.
+inline std::string metres(double v) { return observe::fixed(v, 3, "m"); }
+inline std::string micrometres(double v) { return observe::fixed(v * 1e6, 1, "µm"); }
+inline std::string megapascals(double v) { return observe::fixed(v / 1e6, 2, "MPa"); }
+
 template <class Sim>
 void add_run(observe::Report& page, const Sim& sim, const RunRecord& run, const Manifest& made) {
   const auto discs = static_cast<long>(sim.discs().size());
@@ -198,6 +203,18 @@ inline void add_manifest(observe::Report& page, const Manifest& made) {
               {"threads", std::to_string(made.threads) + "; the results do not depend on it"},
               {"command line", made.command_line, true},
               {"date", made.date}});
+}
+
+/// The end of a run's page: parameters beside their defaults, files, manifest.
+template <class Tree>
+void add_origin(observe::Report& page, const Tree& tree, const std::vector<observe::File>& files,
+                const Manifest& made) {
+  Tree defaults;
+  defaults.simulator.scheme = defaults.simulator.scheme.resolved();
+  add_parameters(page, tree, defaults);
+  page.section("Files");
+  page.files(files);
+  add_manifest(page, made);
 }
 
 }  // namespace hfdem::support

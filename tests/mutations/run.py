@@ -174,7 +174,7 @@ MUTATIONS = [
     ("saved state without changed injection", "simulator.hpp", "injected_, rate_, mean", "injected_, mean", "schemes/saved_state"),
     ("saved state without mean contact force", "simulator.hpp", "rate_, mean_contact_force_,\n", "rate_,\n", "schemes/saved_state"),
     ("saved state without age of the mean contact force", "simulator.hpp", "fluid_steps_, mean_contact_force_until_);", "fluid_steps_);", "schemes/saved_state"),
-    ("saved state without time of the next row", "observe/history.hpp", "archive(next_, ", "archive(", "schemes/saved_state"),
+    ("saved state without time of the next row", "observe/interval.hpp", "archive(next_);", ";", "schemes/saved_state"),
     ("checksum", "base/seal.hpp", "0x100000001b3", "0x100000001b5", "loops/archive"),
     ("length of what is sealed", "base/seal.hpp", "said != size", "said < size", "loops/archive"),
     ("speed of a platen", "assembly.hpp", "speed * dt());", "1.05 * speed * dt());", "measures/rock_tests"),

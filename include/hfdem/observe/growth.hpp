@@ -12,6 +12,7 @@
 #include <hfdem/measure/microcracks.hpp>
 #include <hfdem/measure/path_profile.hpp>
 #include <hfdem/observe/history.hpp>
+#include <hfdem/observe/interval.hpp>
 
 namespace hfdem::observe {
 
@@ -73,8 +74,8 @@ class Growth {
   /// Heard after every fluid step.
   template <class Sim>
   void fluid_step(const Sim& sim, const FluidStep& step) {
-    if (sim.time() + 1e-6 * interval_ < next_) return;
-    next_ = interval_ * (std::floor(sim.time() / interval_ + 1e-6) + 1);
+    if (!interval_.is_due(sim.time())) return;
+    interval_.wait_from(sim.time());
     instants_.push_back(growth_instant(sim));
     const GrowthInstant& now = instants_.back();
     write_row(out_,
@@ -86,7 +87,7 @@ class Growth {
   }
 
   /// What was written; the stream itself must be taken up by its owner.
-  void exchange(auto& archive) { archive(next_, instants_); }
+  void exchange(auto& archive) { archive(interval_, instants_); }
 
   /// The rows written so far.
   const std::vector<GrowthInstant>& instants() const { return instants_; }
@@ -111,7 +112,8 @@ class Growth {
 
  private:
   std::ostream& out_;
-  double interval_, far_field_, next_ = 0;
+  Interval interval_;
+  double far_field_;
   std::vector<GrowthInstant> instants_;
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <hfdem/measure/crack.hpp>
+#include <hfdem/observe/interval.hpp>
 #include <hfdem/state/step.hpp>
 
 namespace hfdem::observe {
@@ -50,8 +51,8 @@ class History {
   /// Heard after every fluid step.
   template <class Sim>
   void fluid_step(const Sim& sim, const FluidStep& step) {
-    if (sim.time() + 1e-6 * interval_ < next_) return;
-    next_ = interval_ * (std::floor(sim.time() / interval_ + 1e-6) + 1);
+    if (!interval_.is_due(sim.time())) return;
+    interval_.wait_from(sim.time());
     const double pressure = sim.injection_pressure();
     instants_.push_back({sim.time(), pressure, pressure - far_field_, measure::crack_shape(sim),
                          sim.injected_volume(), sim.network().crack_volume()});
@@ -63,14 +64,15 @@ class History {
   }
 
   /// What was written; the stream itself must be taken up by its owner.
-  void exchange(auto& archive) { archive(next_, instants_); }
+  void exchange(auto& archive) { archive(interval_, instants_); }
 
   /// The rows written so far.
   const std::vector<Instant>& instants() const { return instants_; }
 
  private:
   std::ostream& out_;
-  double interval_, far_field_, next_ = 0;
+  Interval interval_;
+  double far_field_;
   std::vector<Instant> instants_;
 };
 

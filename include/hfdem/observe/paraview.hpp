@@ -30,6 +30,7 @@
 #include <hfdem/base/whole_file.hpp>
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/measure/particle_stress.hpp>
+#include <hfdem/observe/interval.hpp>
 #include <hfdem/observe/vtk_xml.hpp>
 #include <hfdem/state/discs.hpp>
 #include <hfdem/state/network.hpp>
@@ -61,7 +62,7 @@ class ParaView {
   /// @throws WriteFailed if a file cannot be written
   template <class Sim>
   void fluid_step(const Sim& sim, const FluidStep&) {
-    if (sim.time() + 1e-6 * interval_ >= next_) write(sim);
+    if (interval_.is_due(sim.time())) write(sim);
   }
 
   /// Writes the present state: before the run for its first, after it for its last. What was
@@ -70,7 +71,7 @@ class ParaView {
   template <class Sim>
   void write(const Sim& sim) {
     if (times_.empty() || times_.back() != sim.time()) times_.push_back(sim.time());
-    next_ = interval_ * (std::floor(sim.time() / interval_ + 1e-6) + 1);
+    interval_.wait_from(sim.time());
     const std::vector<Broken> broken = broken_contacts(sim);
     put("particles", particles(sim));
     put("contacts", contacts(sim, broken));
@@ -78,7 +79,7 @@ class ParaView {
   }
 
   /// When was written, and when to write again.
-  void exchange(auto& archive) { archive(next_, times_); }
+  void exchange(auto& archive) { archive(interval_, times_); }
 
  private:
   struct Broken {
@@ -191,7 +192,7 @@ class ParaView {
   }
 
   std::filesystem::path folder_;
-  double interval_, next_ = 0;
+  Interval interval_;
   std::vector<double> times_;
 };
 
