@@ -33,14 +33,14 @@ std::unique_ptr<IntactResults> run(const OutputFolder& folder, const IntactConfi
                                    const std::optional<MeasuredRock>& measured,
                                    Checkpoint& checkpoint) {
   if (!checkpoint.resumes())
-    folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.txt",
-                    "fracture.svg", "aperture_map.svg", "pressure_map.svg", "stress.svg",
-                    "pressure.svg", "tips.svg", "length.svg", "aperture.svg", "energy.csv"});
+    folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "fracture.svg",
+                    "aperture_map.svg", "pressure_map.svg", "stress.svg", "pressure.svg",
+                    "tips.svg", "length.svg", "aperture.svg", "energy.csv"});
   folder.write("config.toml", to_toml(config));
   auto results = std::make_unique<IntactResults>(folder, config, checkpoint.manifest(), measured,
                                                  checkpoint.resumes());
   std::optional<Rock> sim;
-  const RunEnd end = end_of([&] {
+  const RunEnd end = end_of(sim, [&] {
     make_or_resume(sim, checkpoint, specimen, config.simulator);
     sim->use_threads(options.threads);
     drive(*sim, config.run.end_time, *results, checkpoint, options.quiet);
@@ -68,18 +68,23 @@ int run_one(const CommandLine& options, const IntactConfig& config,
 
 int run_seeds(const CommandLine& options, IntactConfig config, int seeds,
               const std::optional<MeasuredRock>& measured, const Manifest& manifest) {
-  Checkpoint checkpoint(options, manifest, to_toml(config));
+  const std::string wanted = std::to_string(seeds);
+  Checkpoint checkpoint(options, manifest, to_toml(config) + "\n[study]\nseeds = " + wanted);
   const OutputFolder folder(options.out);
   folder.discard(IntactSeeds::files);
   folder.write("config.toml", to_toml(config));
   IntactSeeds all(config, checkpoint.manifest(), measured);
   checkpoint.resumes() ? checkpoint.load(all) : checkpoint.save(all);
   const int first = config.specimen.seed;
+  const auto folder_of = [&](int seed) { return options.out + "/seed_" + std::to_string(seed); };
+  // What an earlier study left unfinished is no part of this one.
+  if (!checkpoint.resumes())
+    for (int k = 0; k < seeds; ++k) std::filesystem::remove(checkpoint_file(folder_of(first + k)));
   for (int k = all.done(); k < seeds; ++k) {
     config.specimen.seed = first + k;
     if (!options.quiet) std::printf("seed %d (%d of %d)\n", config.specimen.seed, k + 1, seeds);
     CommandLine of_seed = options;
-    of_seed.out = options.out + "/seed_" + std::to_string(config.specimen.seed);
+    of_seed.out = folder_of(config.specimen.seed);
     const bool begun = std::filesystem::exists(checkpoint_file(of_seed.out));
     of_seed.resume = begun && checkpoint.resumes() ? of_seed.out : "";
     try {
@@ -87,10 +92,11 @@ int run_seeds(const CommandLine& options, IntactConfig config, int seeds,
       const OutputFolder inner_folder(of_seed.out);
       const auto results =
           run(inner_folder, config, random_packing(config.specimen, options.threads), of_seed,
-              measured, inner);
+              all.measured(), inner);
       all.add(config.specimen.seed, *results);
     } catch (const Interrupted&) {
-      checkpoint.interrupt("in the rock of seed " + std::to_string(config.specimen.seed));
+      checkpoint.interrupt("in the rock of seed " + std::to_string(config.specimen.seed),
+                           " --seeds " + wanted);
     }
     checkpoint.save(all);
   }
@@ -113,11 +119,13 @@ int main(int argc, char** argv) {
   int seeds = 1;
   app.add_option("--case", which, "a case of the paper's Table 4 (default 2-S1)")
       ->check(CLI::IsMember(IntactConfig::cases))
-      ->excludes("--resume");
+      ->excludes("--resume")
+      ->excludes("--config");
   app.add_option("--preset", preset,
                  "paper: choices found by trial that land on the numbers that the paper prints")
       ->check(CLI::IsMember({"paper"}))
-      ->excludes("--resume");
+      ->excludes("--resume")
+      ->excludes("--config");
   app.add_option("--seed", seed, "of the random specimen: every seed is another rock")
       ->excludes("--resume");
   app.add_option("--seeds", seeds, "how many rocks, from --seed on: means and 95 % intervals")
@@ -140,8 +148,9 @@ int main(int argc, char** argv) {
     if (options.quick) config.shrink();
     if (!which.empty()) config.load_case(which);
     if (!preset.empty()) config.load_paper_preset();
-    if (seed) config.specimen.seed = *seed;
     options.configure(config);
+    if (seed) config.specimen.seed = *seed;
+    validate_all(config);
     config.simulator.scheme = config.simulator.scheme.resolved();
     std::optional<MeasuredRock> measured;
     if (!toughness.empty()) measured = read_rock(toughness);

@@ -30,8 +30,9 @@ int run(const CommandLine& options, const KgdConfig& config, const Manifest& man
         const std::optional<MeasuredToughness>& toughness) {
   const OutputFolder folder(options.out);
   Checkpoint checkpoint(options, manifest, to_toml(config));
-  folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.svg",
-                  "length.svg", "aperture.svg", "pressure.svg", "energy.csv"});
+  if (!checkpoint.resumes())
+    folder.discard({"report.html", "summary.json", "profile.csv", "cracks.csv", "specimen.svg",
+                    "length.svg", "aperture.svg", "pressure.svg", "energy.csv"});
   folder.write("config.toml", to_toml(config));
   KgdResults results(folder, config, checkpoint.manifest(), toughness, checkpoint.resumes());
   std::optional<Kgd> sim;

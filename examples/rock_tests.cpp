@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <exception>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -82,6 +83,7 @@ void run_tests(const RockTestsConfig& config, int threads, bool quiet, Checkpoin
   ProgressLine progress(quiet);
   std::mutex one_at_a_time;
   std::optional<InvalidParameter> refused;
+  std::exception_ptr unsaved;
   std::atomic<bool> useless = false;
   for_tasks(tests.done.size(), threads, [&](std::size_t task) {
     if (useless || interrupted()) return;
@@ -107,12 +109,18 @@ void run_tests(const RockTestsConfig& config, int threads, bool quiet, Checkpoin
     tests.specimens[specimen].test(which) = std::move(result);
     if (!stopped.empty()) tests.specimens[specimen].stopped = stopped;
     tests.done[task] = true;
-    if (checkpoint.is_due()) checkpoint.save(tests);
+    try {
+      if (checkpoint.is_due()) checkpoint.save(tests);
+    } catch (const OutputFailed&) {  // must not leave the parallel loop
+      unsaved = std::current_exception();
+      useless = true;
+    }
     const auto done = static_cast<double>(std::count(tests.done.begin(), tests.done.end(), true));
     progress.show(done / static_cast<double>(tests.done.size()),
                   in_words(done) + " of " + std::to_string(tests.done.size()) + " tests");
   });
   if (refused) throw *refused;
+  if (unsaved) std::rethrow_exception(unsaved);
   if (!interrupted()) return;
   checkpoint.save(tests);
   checkpoint.interrupt("between two tests");

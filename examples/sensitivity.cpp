@@ -33,7 +33,7 @@ std::optional<std::vector<double>> readings_of(const IntactConfig& config, int t
   IntactRecorder recorder(config, history);
   std::optional<Rock> sim;
   bool whole = true;
-  const RunEnd end = end_of([&] {
+  const RunEnd end = end_of(sim, [&] {
     sim.emplace(random_packing(config.specimen, threads), config.simulator);
     sim->use_threads(threads);
     recorder.begin();
@@ -77,7 +77,12 @@ std::string report(const IntactConfig& base, const SensitivityResults& results, 
 
 int run(const CommandLine& options, const IntactConfig& base, std::vector<Variation> rows,
         int seeds, const Manifest& made) {
-  Checkpoint checkpoint(options, made, to_toml(base));
+  // What is studied belongs to the run as its parameters do.
+  std::string study = "\n[study]\nseeds = " + std::to_string(seeds),
+              again = " --seeds " + std::to_string(seeds);
+  for (const Variation& row : rows)
+    for (const std::string& a : row.assignments) study += "\nvary " + a;
+  Checkpoint checkpoint(options, made, to_toml(base) + study);
   const OutputFolder folder(options.out);
   folder.discard({"report.html", "table.md", "runs.csv"});
   folder.write("config.toml", to_toml(base));
@@ -95,7 +100,8 @@ int run(const CommandLine& options, const IntactConfig& base, std::vector<Variat
       if (static_cast<std::size_t>(s) < row.readings.size()) continue;  // before it was resumed
       config.specimen.seed = base.specimen.seed + s;
       const auto values = readings_of(config, options.threads, readings);
-      if (!values) checkpoint.interrupt("in the row \"" + row.name + "\"");
+      if (!values)
+        checkpoint.interrupt("in the row \"" + row.name + "\"", again + " and the same --vary");
       row.readings.push_back(*values);
       checkpoint.save(rows);
     }

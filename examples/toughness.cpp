@@ -134,8 +134,9 @@ int run_random(const CommandLine& options, const RandomToughnessConfig& config,
                  study.test_next(progress);
                  checkpoint.save(study, watch);
                  if (interrupted())
-                   checkpoint.interrupt("after the rock of seed " +
-                                        std::to_string(study.seeds().back().seed));
+                   checkpoint.interrupt(
+                       "after the rock of seed " + std::to_string(study.seeds().back().seed),
+                       " --rock random");
                }
                const RandomToughnessResults results(config, study, checkpoint.manifest(),
                                                     watch.seconds());

@@ -72,9 +72,9 @@ void Checkpoint::take_up() {
   manifest_ = begun;
 }
 
-void Checkpoint::interrupt(const std::string& where) const {
+void Checkpoint::interrupt(const std::string& where, const std::string& options) const {
   throw Interrupted("interrupted " + where + "; go on with --resume " +
-                    path_.parent_path().string());
+                    path_.parent_path().string() + options);
 }
 
 void Checkpoint::discard() const {

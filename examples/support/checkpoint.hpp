@@ -63,7 +63,8 @@ class Checkpoint {
 
   /// Ends the program, once it has saved.
   /// @param where the run is, for the message
-  [[noreturn]] void interrupt(const std::string& where) const;
+  /// @param options that must be given again, beside --resume
+  [[noreturn]] void interrupt(const std::string& where, const std::string& options = "") const;
 
   /// The run is complete.
   void discard() const;

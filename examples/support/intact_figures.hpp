@@ -56,9 +56,8 @@ void add_predicted(observe::Chart& chart, const GrowthPrediction* prediction, F&
   }
   chart.series.insert(chart.series.begin(), std::move(s));
   chart.caption +=
-      " Predicted: growth in the finite plate, with modulus and toughness measured in other rocks "
-      "of "
-      "this kind.";
+      " Predicted: growth in the finite plate, with the modulus and toughness of the file that was "
+      "given.";
 }
 
 class IntactFigures {

@@ -47,7 +47,8 @@ inline void summarise(Summary& s, const IntactConfig& config, const Rock& sim,
   s.set("asymmetry", o.end.asymmetry);
   s.set("branches", static_cast<long>(o.crack.branches.size()));
   const auto& [connected, unconnected] = o.count;
-  s.set("microcracks/rock", connected.total() + unconnected.total());
+  s.set("microcracks/rock",
+        connected.tension + connected.shear + unconnected.tension + unconnected.shear);
   s.set("microcracks/joints", 0);
   s.set("microcracks/connected_joints", 0);
   s.set("microcracks/tension", connected.tension + unconnected.tension);

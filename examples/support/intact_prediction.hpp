@@ -24,6 +24,20 @@ inline PlateInjection plate_injection(const IntactConfig& c) {
           .preset_length = c.simulator.crack.length.value_or(0)};
 }
 
+/// Whether it was measured in such a rock: its bonds and its grains; the plate takes care of size,
+/// stress and boundary.
+inline bool same_rock(const MeasuredRock& measured, const IntactConfig& config) {
+  const auto& there = measured.rock;
+  const auto& contact = config.simulator.contact;
+  bool same = !contact.weibull_modulus;
+  for_each_field<LinearParallelBond::Params>([&](const auto& field) {
+    same = same && there.contact.*(field.member) == contact.*(field.member);
+  });
+  const RandomPacking &a = there.specimen, &b = config.specimen;
+  return same && a.radius_min == b.radius_min && a.radius_max == b.radius_max &&
+         a.bonding_gap == b.bonding_gap;
+}
+
 /// Nothing without a measured rock.
 /// @throws InvalidParameter if the specimen is no plate that the solution knows
 inline std::optional<GrowthPrediction> prediction_of(const std::optional<MeasuredRock>& measured,
@@ -33,8 +47,9 @@ inline std::optional<GrowthPrediction> prediction_of(const std::optional<Measure
 }
 
 /// The prediction for the moment at which a run ended, beside it.
-inline void summarise(Summary& s, const GrowthPrediction& prediction,
+inline void summarise(Summary& s, const GrowthPrediction& prediction, bool same_rock,
                       const observe::GrowthInstant& end) {
+  s.set("predicted/same_rock", same_rock);
   s.set("predicted/splitting_time_s", prediction.splitting_time());
   s.set("predicted/splitting_length_m", prediction.splitting_length());
   const auto crack = prediction.at(end.time);

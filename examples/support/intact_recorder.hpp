@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -19,13 +20,16 @@ struct RunEnd {
   bool at_rim = false;    ///< because the crack reached the rim: no failure
 };
 
-/// Carries a run through whatever may end it; a crack at the rim is no failure.
-template <class Run>
-RunEnd end_of(Run&& run) {
+/// Carries a run through whatever may end it; a crack that reaches the rim is no failure, unless it
+/// was there from the beginning.
+/// @param sim what `run` makes
+template <class Sim, class Run>
+RunEnd end_of(const std::optional<Sim>& sim, Run&& run) {
   try {
     run();
-  } catch (const ReachedRim&) {
-    return {.at_rim = true};
+  } catch (const ReachedRim& reason) {
+    if (sim) return {.at_rim = true};
+    return {.stopped = reason.what()};
   } catch (const RunStopped& reason) {
     return {.stopped = reason.what()};
   }

@@ -147,7 +147,7 @@ class IntactResults {
     s.set("threads", manifest_.threads);
     if (energy_) energy_->summarise(s);
     if (const auto prediction = prediction_of(measured_, config_))
-      summarise(s, *prediction, outcome_.end);
+      summarise(s, *prediction, same_rock(*measured_, config_), outcome_.end);
     const auto kgd = paper_kgd(config_, outcome_.end.time);
     s.set("kgd/E_prime_Pa", paper::Intact::E_prime);
     s.set("kgd/K_IC_Pa_sqrt_m", paper::Intact::K_IC);

@@ -30,7 +30,8 @@ struct RockReading {
 template <class F>
 auto inside_at(double time, F&& value) {
   return [time, value](const IntactOutcome& o, const observe::Growth& growth) {
-    return o.end.time * (1 + 1e-9) < time ? NAN : value(*growth.at(time));
+    const auto* then = growth.at(time);
+    return then == nullptr || o.end.time * (1 + 1e-9) < time ? NAN : value(*then);
   };
 }
 
@@ -212,7 +213,8 @@ class IntactSeeds {
   template <class F>
   void predict(observe::Chart& chart, F&& value) const {
     double last = 0;
-    for (const Run& run : runs_) last = std::fmax(last, run.history.back().time);
+    for (const Run& run : runs_)
+      if (!run.history.empty()) last = std::fmax(last, run.history.back().time);
     chart.x_range = observe::Range{0, std::fmax(last, config_.is_paper_case_S1() ? 1.53 : 0)};
     const auto prediction = prediction_of(measured_, config_);
     add_predicted(chart, prediction ? &*prediction : nullptr, value);

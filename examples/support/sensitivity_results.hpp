@@ -48,7 +48,8 @@ inline std::vector<RockReading> sensitivity_readings() {
   using observe::GrowthInstant;
   const auto last = [](double time, double GrowthInstant::*value) {
     return [time, value](const IntactOutcome& o, const observe::Growth& growth) {
-      return o.end.time < time ? o.end.*value : growth.at(time)->*value;
+      const auto* then = growth.at(time);
+      return then == nullptr || o.end.time < time ? o.end.*value : then->*value;
     };
   };
   return {{"breakdown_pressure_Pa", "breakdown (MPa)", "Pa",

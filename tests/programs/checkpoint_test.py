@@ -100,6 +100,10 @@ class CheckpointTest(unittest.TestCase):
         self.check_killed(20, "--quick", "--set", "injection.rate=3e-4", "--set", "run.end_time=0.03",
                           "--set", "run.snapshot_interval=0.001")
 
+    def test_the_books_of_energy_go_on_too(self):
+        self.check_killed(3, "--quick", "--set", "injection.rate=3e-4", "--set", "run.end_time=0.01",
+                          "--set", "run.energy=true")
+
     def test_a_larger_run_on_any_number_of_threads_too(self):
         self.check_killed(3, "--set", "specimen.columns=50", "--set", "specimen.rows=50",
                           "--set", "scheme.equilibrium=true", "--set", "run.end_time=0.006",
@@ -120,7 +124,7 @@ class CheckpointTest(unittest.TestCase):
             if status == 0:
                 break
             self.assertEqual(status, 4, words)
-            self.assertIn("--resume " + str(self.path("stopped")) + "\n", words)
+            self.assertIn("--resume " + str(self.path("stopped")), words)
             stops += 1
         self.assertGreater(stops, 0)
         if status != 0:
@@ -128,7 +132,8 @@ class CheckpointTest(unittest.TestCase):
         self.check_same_results("whole", "stopped")
 
     def test_several_rocks_go_on_in_the_middle_of_one(self):
-        self.check_asked_to_stop(INTACT, *SMALL_ROCK, keep=("--seeds", "3"))
+        rock = pathlib.Path(__file__).resolve().parents[2] / "examples/data/rock.toml"
+        self.check_asked_to_stop(INTACT, *SMALL_ROCK, "--toughness", rock, keep=("--seeds", "3"))
 
     def test_rock_tests_and_a_study_of_parameters_go_on_too(self):
         self.check_asked_to_stop(PROGRAMS / "rock_tests", "--quick")

@@ -97,7 +97,7 @@ class IntactTest(unittest.TestCase):
         counts = summary["microcracks"]
         self.assertEqual(counts["tension"], sum(c["mode"] == "tension" for c in cracks))
         self.assertEqual(counts["shear"], sum(c["mode"] == "shear" for c in cracks))
-        self.assertEqual(counts["rock"], len(cracks) + counts["preset"])
+        self.assertEqual(counts["rock"], len(cracks))
         self.assertAlmostEqual(summary["first_break_pressure_Pa"] /
                                float(cracks[0]["injection_pressure_Pa"]), 1, places=9)
         peak = max([float(row["injection_pressure_Pa"]) for row in history + cracks])
