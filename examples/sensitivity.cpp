@@ -15,6 +15,8 @@
 
 #include "support/checkpoint.hpp"
 #include "support/command_line.hpp"
+#include "support/intact_figures.hpp"
+#include "support/intact_recorder.hpp"
 #include "support/interrupts.hpp"
 #include "support/manifest.hpp"
 #include "support/polite_threads.hpp"

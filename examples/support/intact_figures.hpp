@@ -13,6 +13,7 @@
 #include <hfdem/observe/chart.hpp>
 #include <hfdem/observe/fracture_map.hpp>
 #include <hfdem/observe/growth.hpp>
+#include <hfdem/observe/html.hpp>
 #include <hfdem/observe/stress_map.hpp>
 
 #include "support/growth_prediction.hpp"

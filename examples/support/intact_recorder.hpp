@@ -63,7 +63,7 @@ class IntactRecorder {
     IntactOutcome o{.end = observe::growth_instant(sim),
                     .crack = measure::crack_path(microcracks, measure::crack_origin(sim)),
                     .count = measure::count(microcracks),
-                    .first_break = first_break(sim),
+                    .first_break = first_break_pressure(sim),
                     .breakdown = peak_pressure_,
                     .propagation = growth_.mean_pressure(config_.readings.propagation_from,
                                                          config_.readings.propagation_to),
@@ -77,14 +77,6 @@ class IntactRecorder {
   const observe::Growth& growth() const { return growth_; }
 
  private:
-  /// Bonds that break while the specimen settles say nothing of the fluid.
-  template <class Sim>
-  static double first_break(const Sim& sim) {
-    for (const BondBreak& b : sim.breaks())
-      if (b.time > 0) return b.pressure;
-    return NAN;
-  }
-
   const IntactConfig& config_;
   observe::Growth growth_;
   double peak_pressure_ = 0;

@@ -74,13 +74,7 @@ class IntactReport {
 
   /// The page of a run that could not begin.
   std::string html(const std::string& reason) {
-    page_.title = "No crack: the run could not begin";
-    page_.stopped = "Before the injection began: " + reason + ".";
-    add_origin(page_, config_,
-               {{"config.toml", "every parameter; repeats the run with --config"},
-                {"history.csv", "no row: nothing was injected"}},
-               manifest_);
-    return page_.html();
+    return unbegun_page(page_, config_, reason, manifest_);
   }
 
  private:

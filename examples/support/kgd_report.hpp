@@ -78,13 +78,7 @@ class KgdReport {
 
   /// The page of a run that could not begin.
   std::string html(const std::string& reason) {
-    page_.title = "No crack: the run could not begin";
-    page_.stopped = "Before the injection began: " + reason + ".";
-    add_origin(page_, config_,
-               {{"config.toml", "every parameter; repeats the run with --config"},
-                {"history.csv", "no row: nothing was injected"}},
-               manifest_);
-    return page_.html();
+    return unbegun_page(page_, config_, reason, manifest_);
   }
 
  private:
@@ -154,12 +148,11 @@ class KgdReport {
   }
 
   void add_numbers(const Kgd& sim, const KgdOutcome& o) {
-    const double first = sim.breaks().empty() ? NAN : sim.breaks().front().pressure;
     page_.section("The crack in numbers");
     page_.facts(
         {{"tips",
           metres(o.shape.tip_up) + " and " + metres(o.shape.tip_down) + " from the injection"},
-         {"pressure at the first break", megapascals(first)},
+         {"pressure at the first break", megapascals(first_break_pressure(sim))},
          {"peak pressure", megapascals(o.peak_pressure)},
          {"injected", millilitres(sim.injected_volume())},
          {"held by the crack", millilitres(sim.network().crack_volume())},

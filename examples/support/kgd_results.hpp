@@ -151,7 +151,7 @@ class KgdResults {
     s.set("opening_at_injection_m", shape.opening);
     s.set("injection_pressure_Pa", sim.injection_pressure());
     s.set("net_pressure_Pa", sim.injection_pressure() - far_field);
-    s.set("first_break_pressure_Pa", sim.breaks().empty() ? NAN : sim.breaks().front().pressure);
+    s.set("first_break_pressure_Pa", first_break_pressure(sim));
     s.set("peak_pressure_Pa", peak_pressure);
     s.set("fluid_volume_m2", sim.injected_volume());
     s.set("crack_volume_m2", sim.network().crack_volume());

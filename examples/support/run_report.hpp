@@ -147,6 +147,15 @@ inline std::string difference(double ours, double reference) {
   return (percent > 0 ? "+" : "") + observe::fixed(percent, 1, "%");
 }
 
+/// Injection pressure at the first break that the fluid made, Pa; not a number if there is none.
+/// Bonds that break while the specimen settles say nothing of the fluid.
+template <class Sim>
+double first_break_pressure(const Sim& sim) {
+  for (const auto& b : sim.breaks())
+    if (b.time > 0) return b.pressure;
+  return NAN;
+}
+
 /// How a run went, beyond what the simulator itself remembers.
 struct RunRecord {
   std::string stopped;   ///< why it ended before its time; empty if it did not
@@ -215,6 +224,19 @@ void add_origin(observe::Report& page, const Tree& tree, const std::vector<obser
   page.section("Files");
   page.files(files);
   add_manifest(page, made);
+}
+
+/// The page of a run that could not begin.
+template <class Tree>
+std::string unbegun_page(observe::Report& page, const Tree& tree, const std::string& reason,
+                         const Manifest& made) {
+  page.title = "No crack: the run could not begin";
+  page.stopped = "Before the injection began: " + reason + ".";
+  add_origin(page, tree,
+             {{"config.toml", "every parameter; repeats the run with --config"},
+              {"history.csv", "no row: nothing was injected"}},
+             made);
+  return page.html();
 }
 
 }  // namespace hfdem::support

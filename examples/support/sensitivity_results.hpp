@@ -8,7 +8,7 @@
 
 #include <hfdem/measure/sample_mean.hpp>
 
-#include "support/intact_seeds.hpp"
+#include "support/rock_readings.hpp"
 
 namespace hfdem::support {
 
@@ -122,7 +122,10 @@ class SensitivityResults {
       return observe::fixed(pressure ? v / 1e6 : v, pressure ? 2 : 3);
     };
     return (!base && mean.mean >= 0 ? "+" : "") + words(mean.mean) +
-           (std::isfinite(mean.ci95) ? " ± " + words(mean.ci95) : "");
+           (std::isfinite(mean.ci95) ? " ± " + words(mean.ci95) : "") +
+           (values.size() < row.readings.size() ? " (" + std::to_string(values.size()) + " of " +
+                                                      std::to_string(row.readings.size()) + ")"
+                                                : "");
   }
 
   const std::vector<Variation>& rows_;

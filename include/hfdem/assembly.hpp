@@ -144,7 +144,7 @@ class Assembly {
     return worst;
   }
 
-  /// Everything that moves, breaks or is held.
+  /// Everything that moves, breaks or is held; discs that are driven must be driven anew.
   void exchange(auto& archive) { archive(discs_, loading_, forces_, rock_, platens_); }
 
  private:

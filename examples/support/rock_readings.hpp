@@ -1,0 +1,64 @@
+/// @file
+/// The numbers that studies over several rocks read from each of them.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <hfdem/observe/growth.hpp>
+
+#include "support/intact_outcome.hpp"
+#include "support/paper.hpp"
+
+namespace hfdem::support {
+
+/// A number that is read from every run.
+struct RockReading {
+  std::string key, name, unit;  ///< in summary.json; in words; SI
+  std::function<double(const IntactOutcome&, const observe::Growth&)> read;
+  double paper = NAN;  ///< of case 2-S1
+};
+
+/// At a time, if the crack was still inside the specimen then.
+template <class F>
+auto inside_at(double time, F&& value) {
+  return [time, value](const IntactOutcome& o, const observe::Growth& growth) {
+    const auto* then = growth.at(time);
+    return then == nullptr || o.end.time * (1 + 1e-9) < time ? NAN : value(*then);
+  };
+}
+
+/// What is read of every run; not a number where a run has none.
+inline std::vector<RockReading> rock_readings() {
+  using paper::Intact;
+  std::vector<RockReading> all{
+      {"first_break_pressure_Pa", "first break", "Pa",
+       [](const auto& o, const auto&) { return o.first_break; }},
+      {"breakdown_pressure_Pa", "breakdown", "Pa",
+       [](const auto& o, const auto&) { return o.breakdown; }, Intact::breakdown_S1},
+      {"propagation_pressure_Pa", "propagation", "Pa",
+       [](const auto& o, const auto&) { return o.propagation; }},
+      {"reached_rim_at_s", "reached the rim", "s",
+       [](const auto& o, const auto&) { return o.rim_time.value_or(NAN); }}};
+  for (const double time : {0.3, 0.6, 0.9, 1.5}) {
+    const bool published = time == Intact::time;
+    const std::string at = to_text(time) + "_s/", when = " at " + to_text(time) + " s";
+    const auto add = [&](const std::string& key, const std::string& name, const std::string& unit,
+                         double observe::GrowthInstant::*value, double paper) {
+      all.push_back({at + key, name + when, unit,
+                     inside_at(time, [value](const auto& i) { return i.*value; }),
+                     published ? paper : NAN});
+    };
+    using observe::GrowthInstant;
+    add("tip_distance_m", "tips", "m", &GrowthInstant::tip_distance, Intact::tip_distance);
+    add("connected_length_m", "microcracks", "m", &GrowthInstant::connected_length,
+        Intact::total_length);
+    add("tortuosity", "tortuosity", "", &GrowthInstant::tortuosity, Intact::tortuosity);
+    add("mean_aperture_m", "aperture", "m", &GrowthInstant::aperture, Intact::aperture);
+  }
+  return all;
+}
+
+}  // namespace hfdem::support
