@@ -44,6 +44,33 @@ struct Stress {
   }
 };
 
+/// A natural fracture of the rock: a straight segment.
+struct NaturalFracture {
+  Vec2 from, to;  ///< its ends, m
+
+  double length() const { return norm(to - from); }                ///< m
+  Vec2 direction() const { return (1 / length()) * (to - from); }  ///< unit vector from end to end
+  Vec2 normal() const { return left_of(direction()); }             ///< unit vector across it
+};
+
+/// Two discs with a natural fracture between their centres: if they bond, or meet later, they do so
+/// through a joint along the fracture.
+struct JointPair {
+  Pair bodies;     ///< first < second
+  Index fracture;  ///< number of the fracture
+  double along;    ///< where the line between the centres crosses it, m from its end `from`
+  Vec2 normal;     ///< unit vector across the fracture, from the first disc's side to the second's
+};
+
+/// Natural fractures, and the pairs of discs that they part (setup/joints.hpp finds them).
+struct JointSet {
+  std::vector<NaturalFracture> fractures{};  ///< in their order of input
+  std::vector<JointPair> pairs{};            ///< each two discs once, bonded or only near; sorted
+
+  /// All of it.
+  void exchange(auto& archive) { archive(fractures, pairs); }
+};
+
 /// Discs in a box whose lower left corner is the origin.
 struct Specimen {
   double width = 0, height = 0;  ///< of the box, m
@@ -58,12 +85,14 @@ struct Specimen {
   /// The number that each disc had before the specimen was renumbered, for outputs; empty if it was
   /// not.
   std::vector<Index> input_index{};
+  /// Natural fractures, if there are any.
+  JointSet joints{};
 
   std::size_t size() const { return centre.size(); }  ///< number of discs
 
   /// All of it.
   void exchange(auto& archive) {
-    archive(width, height, density, centre, radius, bonding_gap, pairs, input_index);
+    archive(width, height, density, centre, radius, bonding_gap, pairs, input_index, joints);
   }
 
   /// Distance between two discs' surfaces, m; negative where they overlap.
