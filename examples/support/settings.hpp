@@ -88,7 +88,7 @@ std::string toml_value(const T& value) {
   else if constexpr (std::is_same_v<T, double>)
     return to_text(value);
   else if constexpr (std::is_same_v<T, Vec2>)
-    return "[" + to_text(value.x) + ", " + to_text(value.y) + "]";
+    return to_text(value);
   else
     return '"' + std::string(names_of<T>[static_cast<std::size_t>(value)]) + '"';
 }

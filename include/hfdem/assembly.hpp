@@ -5,12 +5,14 @@
 
 #include <cmath>
 #include <span>
-#include <utility>
+#include <string>
 #include <vector>
 
+#include <hfdem/contact/jointed.hpp>
 #include <hfdem/contact/smooth_platen.hpp>
 #include <hfdem/mechanics/contact_range.hpp>
 #include <hfdem/mechanics/force_rows.hpp>
+#include <hfdem/mechanics/joint_contacts.hpp>
 #include <hfdem/mechanics/loading.hpp>
 #include <hfdem/mechanics/motion.hpp>
 #include <hfdem/mechanics/stable_step.hpp>
@@ -22,25 +24,28 @@ namespace hfdem {
 
 /// Discs, the contacts between them, and what holds them.
 ///
-/// One range of contacts per law shares the force rows: first the bonded discs, then the platens.
-/// @tparam Contact law between bonded discs
+/// One range of contacts per law shares the force rows: first the bonded discs, then joints, then
+/// the platens. Contacts between discs are numbered through: those of the rock, then bonded joints.
+/// @tparam Contact law between bonded discs, with or without joints
 template <ContactLaw Contact>
 class Assembly {
  public:
-  /// @param specimen whose discs it takes, as they are when they are bonded
+  /// @param specimen whose discs it takes, as they are when they are bonded, and whose joints
   /// @param bonded contacts between discs
   /// @param law of these contacts
   /// @param boundary what holds the discs of the rim
   /// @param damping local damping coefficient
   /// @param step_fraction mechanical time step over the longest stable one
-  Assembly(const Specimen& specimen, std::vector<ContactGeometry> bonded, const Contact& law,
+  /// @throws InvalidParameter if the specimen has joints and the law has none
+  Assembly(const Specimen& specimen, std::span<const ContactGeometry> bonded, const Contact& law,
            const Loading::Params& boundary, double damping, double step_fraction)
       : specimen_(specimen),
         discs_(specimen),
-        geometry_(std::move(bonded)),
+        parted_(bonded, specimen.joints.pairs),
         loading_(boundary, specimen),
         forces_(discs_.size() + all_sides.size()),
         rock_(make_rock(law)),
+        joints_(make_joints(joint_law(law))),
         platens_(make_platens()) {
     forces_.arrange();
     motion_ =
@@ -55,8 +60,11 @@ class Assembly {
   template <class Note>
   void find_forces(int threads, Note&& note) {
     rock_.evaluate(discs_.displacement, forces_.rows(), threads);
+    joints_.contacts().evaluate(discs_.displacement, forces_.rows(), threads);
     platens_.evaluate(discs_.displacement, forces_.rows(), threads);
     rock_.break_bonds(discs_.displacement, forces_.rows(), note);
+    joints_.contacts().break_bonds(discs_.displacement, forces_.rows(),
+                                   [&](Index joint, Mode mode) { note(number_of(joint), mode); });
   }
 
   /// Sets the force that the fluid exerts on a disc, N per m, beside a dead load.
@@ -68,7 +76,9 @@ class Assembly {
   /// @returns the largest resultant force on a disc before damping, N per m
   double move(bool settling, int threads) {
     loading_.step(discs_, forces_, settling);
-    return motion_.step(discs_, forces_, threads);
+    const double largest = motion_.step(discs_, forces_, threads);
+    if (joints_.size() > joints_.bonded() && ++steps_ % between_meetings == 0) joints_.meet(discs_);
+    return largest;
   }
 
   // ---- other verbs ------------------------------------------------------------------------------
@@ -82,7 +92,13 @@ class Assembly {
             loading_.width(), loading_.height());
   }
 
-  void break_bond(Index contact) { rock_.break_bond(contact); }  ///< whatever its strength
+  /// Whatever its strength.
+  void break_bond(Index contact) {
+    if (is_joint(contact))
+      joints_.contacts().break_bond(contact - rock_.size());
+    else
+      rock_.break_bond(contact);
+  }
 
   /// From now on a platen moves inwards at this speed, m/s, instead of holding a stress.
   void drive(Side side, double speed) { loading_.drive(side, speed * dt()); }
@@ -111,28 +127,62 @@ class Assembly {
 
   // ---- what can be read -------------------------------------------------------------------------
 
-  const Specimen& specimen() const { return specimen_; }                  ///< as it was bonded
-  const Discs& discs() const { return discs_; }                           ///< and platens
-  const ContactRange<Contact>& contacts() const { return rock_; }         ///< between discs
+  const Specimen& specimen() const { return specimen_; }  ///< as it was bonded
+  const Discs& discs() const { return discs_; }           ///< and platens
+  /// Between discs of the rock.
+  const ContactRange<Contact>& contacts() const { return rock_; }
+  /// Between discs with a natural fracture between them.
+  const JointContacts<JointLawOf<Contact>>& joints() const { return joints_; }
+  /// Whether a contact between discs is a joint.
+  bool is_joint(Index contact) const { return contact >= rock_.size(); }
+  /// The number that joint `joint` has among the contacts between discs.
+  Index number_of(Index joint) const { return static_cast<Index>(rock_.size()) + joint; }
   const ContactRange<SmoothPlaten>& platens() const { return platens_; }  ///< on the discs
   const Loading& loading() const { return loading_; }  ///< that holds the specimen
   const ForceRows& forces() const { return forces_; }  ///< of the last step
   double dt() const { return motion_.dt(); }           ///< mechanical time step, s
   /// Shortenings for a stress if all discs moved with a uniform strain.
   Vec2 uniform_shortening(Stress stress) const { return uniform_strain_.shortening(stress); }
-  /// Bodies, normals and arms of the contacts between discs.
-  std::span<const ContactGeometry> geometry() const { return geometry_; }
+  /// Bodies of the contacts between discs, normals and arms from centre to centre.
+  std::span<const ContactGeometry> geometry() const { return parted_.bonded; }
   /// The same of the contacts on platens.
   std::span<const ContactGeometry> platen_geometry() const { return platen_geometry_; }
+
+  /// What a flow channel between two discs sees of its contact.
+  struct Opening {
+    double compression;  ///< N per m; of a joint, its stress on the width of the bond, 2 Rb
+    double gap;          ///< opening since bonding, m; of a joint, beyond its dilation
+    double dilation;     ///< by how much slip has opened a joint, m
+  };
+  /// Inlined: the loop over wet channels is little else.
+  [[gnu::always_inline]] Opening opening(Index contact) const {
+    if (!is_joint(contact)) {
+      const Motion<double> motion = rock_.motion(contact, discs_.displacement);
+      const auto response =
+          rock_.law().respond(rock_.stiffness(contact), rock_.memory(contact), motion);
+      return {max(0.0, response.reaction().normal), motion.opening, 0};
+    }
+    const std::size_t k = contact - rock_.size();
+    const ContactRange<JointLawOf<Contact>>& range = joints_.contacts();
+    const auto [first, second] = joints_.pair(k).bodies;
+    const double width = 2 * std::fmin(discs_.radius[first], discs_.radius[second]);
+    const double stress = range.response(k, discs_.displacement).normal_stress;
+    const double dilation = range.law().dilation(range.memory(k));
+    const double gap = range.motion(k, discs_.displacement).opening - dilation;
+    return {max(0.0, stress * width), gap, dilation};
+  }
 
   /// Mean size of the force in the contacts between discs at the last mechanical step, N per m.
   double mean_contact_force() const {
     double sum = 0;
-    for (std::size_t c = 0; c < rock_.size(); ++c) {
-      const Pack& row = forces_.rows()[rock_.first_row() + c];
-      sum += std::sqrt(row[0] * row[0] + row[1] * row[1]);
-    }
-    return rock_.size() == 0 ? 0 : sum / static_cast<double>(rock_.size());
+    const auto add = [&](std::size_t first_row, std::size_t count) {
+      for (const Pack& row : forces_.rows().subspan(first_row, count))
+        sum += std::sqrt(row[0] * row[0] + row[1] * row[1]);
+    };
+    add(rock_.first_row(), rock_.size());
+    add(joints_.contacts().first_row(), joints_.size());
+    const std::size_t bonded = parted_.bonded.size();
+    return bonded == 0 ? 0 : sum / static_cast<double>(bonded);
   }
 
   /// The largest relative error of a platen's force; 0 without platens.
@@ -145,21 +195,42 @@ class Assembly {
   }
 
   /// Everything that moves, breaks or is held; discs that are driven must be driven anew.
-  void exchange(auto& archive) { archive(discs_, loading_, forces_, rock_, platens_); }
+  void exchange(auto& archive) {
+    archive(discs_, loading_, forces_, rock_, joints_, platens_, steps_);
+  }
 
  private:
   ContactRange<Contact> make_rock(const Contact& law) {
+    const auto rock = geometry().first(parted_.of_rock);
     std::vector<typename Contact::template Stiffness<double>> stiffness;
-    for (const auto& c : geometry_) {
+    for (const auto& c : rock) {
       stiffness.push_back(law.stiffness(disc(c.bodies.first), disc(c.bodies.second)));
+      // By its number without joints: the rock's strength is the same with them.
       if constexpr (VaryingLaw<Contact>)
-        stiffness.back() = law.varied(stiffness.back(), static_cast<Index>(stiffness.size() - 1));
+        stiffness.back() = law.varied(stiffness.back(), parted_.number[stiffness.size() - 1]);
       uniform_strain_.add(c.frame, law.springs(stiffness.back()), 2 * c.frame.arm_mean,
                           specimen_.width * specimen_.height);
     }
-    ContactRange<Contact> rock(law, 0, geometry_, stiffness);
-    forces_.add(geometry_, 0, rock.padded_size());
-    return rock;
+    ContactRange<Contact> range(law, 0, rock, stiffness);
+    forces_.add(rock, 0, range.padded_size());
+    return range;
+  }
+
+  JointContacts<JointLawOf<Contact>> make_joints(const JointLawOf<Contact>& law) {
+    if (!HasJoints<Contact> && !specimen_.joints.fractures.empty())
+      refuse("specimen", "joints", std::to_string(specimen_.joints.fractures.size()) + " fractures",
+             "empty for a contact law without joints; Jointed<law, SmoothJoint> has them");
+    const std::size_t bonded = parted_.bonded.size() - parted_.of_rock;
+    JointContacts<JointLawOf<Contact>> joints(law, rock_.padded_size(), std::move(parted_.joints),
+                                              bonded, specimen_);
+    const auto geometry = joints.geometry();
+    forces_.add(geometry, rock_.padded_size(), joints.contacts().padded_size());
+    for (std::size_t k = 0; k < bonded; ++k)
+      uniform_strain_.add(geometry[k].frame, law.springs(joints.contacts().stiffness(k)),
+                          norm(specimen_.centre[geometry[k].bodies.second] -
+                               specimen_.centre[geometry[k].bodies.first]),
+                          specimen_.width * specimen_.height);
+    return joints;
   }
 
   ContactRange<SmoothPlaten> make_platens() {
@@ -174,7 +245,9 @@ class Assembly {
       uniform_strain_.add(c.frame, {.normal = k}, specimen_.radius[i],
                           specimen_.width * specimen_.height);
     }
-    ContactRange<SmoothPlaten> platens({}, rock_.padded_size(), platen_geometry_, stiffness);
+    const ContactRange<JointLawOf<Contact>>& joints = joints_.contacts();
+    ContactRange<SmoothPlaten> platens({}, joints.first_row() + joints.padded_size(),
+                                       platen_geometry_, stiffness);
     forces_.add(platen_geometry_, platens.first_row(), platens.padded_size());
     return platens;
   }
@@ -182,7 +255,16 @@ class Assembly {
   double largest_frequency() const {
     FrequencyBound bound(discs_);
     for (std::size_t c = 0; c < rock_.size(); ++c)
-      bound.add(geometry_[c], rock_.law().springs(rock_.stiffness(c)));
+      bound.add(geometry()[c], rock_.law().springs(rock_.stiffness(c)));
+    const JointLawOf<Contact>& joint = joints_.contacts().law();
+    const auto joint_geometry = joints_.geometry();
+    for (std::size_t k = 0; k < joints_.size(); ++k) {
+      // Shares shrink when more discs meet; one that meets takes no more than a disc is wide.
+      const auto [first, second] = joints_.pair(k).bodies;
+      const double width = 2 * std::fmax(specimen_.radius[first], specimen_.radius[second]);
+      const double share = std::fmax(joints_.piece(k).length(), width);
+      bound.add(joint_geometry[k], joint.springs(joint.stiffness(share)));
+    }
     for (std::size_t c = 0; c < platens_.size(); ++c)
       bound.add(platen_geometry_[c], platens_.law().springs(platens_.stiffness(c)));
     return bound.value();
@@ -192,13 +274,18 @@ class Assembly {
 
   Specimen specimen_;
   Discs discs_;
-  std::vector<ContactGeometry> geometry_, platen_geometry_;
+  PartedContacts parted_;
+  std::vector<ContactGeometry> platen_geometry_;
   Loading loading_;
   ForceRows forces_;
   UniformStrainModulus uniform_strain_;
   ContactRange<Contact> rock_;
+  JointContacts<JointLawOf<Contact>> joints_;
   ContactRange<SmoothPlaten> platens_;
   DiscMotion motion_;
+  /// Discs move by less than a thousandth of their radius meanwhile.
+  static constexpr long between_meetings = 100;
+  long steps_ = 0;
 };
 
 }  // namespace hfdem

@@ -138,8 +138,13 @@ class Simulator {
   const Params& params() const { return params_; }  ///< as given
   const Specimen& specimen() const { return assembly_.specimen(); }  ///< before it was bonded
   const Discs& discs() const { return assembly_.discs(); }           ///< bodies and their motion
-  /// Between discs; the flow channel of contact c is channel c.
+  /// Between discs of the rock; the flow channel of contact c is channel c.
   const ContactRange<Contact>& contacts() const { return assembly_.contacts(); }
+  /// Between discs with a natural fracture between them; none if the contact law has no joints.
+  const JointContacts<JointLawOf<Contact>>& joints() const { return assembly_.joints(); }
+  /// Whether a contact, or its flow channel, is a joint: the number of joint 0 is
+  /// `contacts().size()`.
+  bool is_joint(Index contact) const { return assembly_.is_joint(contact); }
   /// Between discs and platens.
   const ContactRange<SmoothPlaten>& platens() const { return assembly_.platens(); }
   /// Bodies and normals of these.
@@ -174,6 +179,15 @@ class Simulator {
     return assembly_.geometry()[contact];
   }
 
+  /// The present force of a contact between two discs; of a joint, across and along its fracture.
+  Reaction<double> reaction(Index contact) const {
+    return is_joint(contact) ? joints()
+                                   .contacts()
+                                   .response(contact - contacts().size(), discs().displacement)
+                                   .reaction()
+                             : contacts().response(contact, discs().displacement).reaction();
+  }
+
   /// Mean size of the force in the contacts between discs at the last mechanical step, N per m.
   double mean_contact_force() const { return assembly_.mean_contact_force(); }
 
@@ -190,11 +204,18 @@ class Simulator {
 
   Simulator(Unsettled, const Specimen& specimen, const Params& params)
       : params_((params.validate(), params)),
-        assembly_(specimen, bonded_contacts<Neighbours>(specimen), Contact(params.contact),
+        assembly_(specimen, bonded_contacts<Neighbours>(specimen), contact_law(params),
                   params.boundary, params.mechanics.damping, params.mechanics.step_fraction),
         aperture_(params.aperture),
         pressure_(params.scheme) {
     make_network();
+  }
+
+  static Contact contact_law(const Params& params) {
+    if constexpr (HasJoints<Contact>)
+      return Contact(params.contact, params.joints);
+    else
+      return Contact(params.contact);
   }
 
   void make_network() {
@@ -202,14 +223,25 @@ class Simulator {
     const Index injection = injection_domain(domains, specimen(), params_.injection.position);
     const Vec2 centre = domains.centre[injection];
     network_ = Network(std::move(domains), injection, aperture_.rest_width());
+    for (Index k = 0; k < joints().bonded(); ++k)
+      network_.set_rest_width(assembly_.number_of(k), joints().contacts().law().rest_width());
     preset_ =
         preset_crack(params_.crack, specimen(), assembly_.geometry(), centre, crack_direction());
+    keep_joints_away();
     for (const Index c : preset_) {
       assembly_.break_bond(c);
       network_.open(c);
     }
     if (Pressure::holds_fluid && network_.wet_channels().empty()) refuse_crack();
     stop_if_at_rim();
+  }
+
+  /// The preset crack and the domain that receives the fluid are to be in rock.
+  void keep_joints_away() const {
+    for (const Index c : preset_)
+      if (is_joint(c)) joints().refuse(c - contacts().size(), "away from the preset crack");
+    for (const Index c : network_.channels_of(network_.injection_domain()))
+      if (is_joint(c)) joints().refuse(c - contacts().size(), "away from the injection");
   }
 
   [[noreturn]] void refuse_crack() const {
@@ -223,13 +255,16 @@ class Simulator {
 
   template <class... Observers>
   Relaxed relax(bool settling, Observers&... observers) {
-    const std::size_t broken_before = breaks_.size();
+    const std::size_t broken_before = breaks_.size(), wet_before = network_.wet_channels().size();
     assembly_.find_forces(threads_, [&](Index contact, Mode mode) {
       breaks_.push_back({time_, contact, mode, injection_pressure()});
       network_.open(contact);
     });
     const std::size_t broken = breaks_.size() - broken_before;
-    if (broken > 0) stop_if_at_rim();
+    if (broken > 0) {
+      stop_if_at_rim();
+      flood_joints(wet_before);
+    }
     for (const Index i : network_.pushed_discs()) push(i);
     (tell_mechanical_step(observers, *this), ...);
     const double largest = assembly_.move(settling, threads_);
@@ -242,13 +277,20 @@ class Simulator {
   void push(Index disc) { assembly_.push(disc, network_.force_on(disc)); }
 
   void refresh_widths() {
-    const ContactRange<Contact>& rock = contacts();
-    for (const Index c : network_.wet_channels()) {
-      const Motion<double> motion = rock.motion(c, discs().displacement);
-      const double compression =
-          rock.law().respond(rock.stiffness(c), rock.memory(c), motion).reaction().normal;
-      network_.set_width(
-          c, aperture_.width(network_.rest_width(c), max(0.0, compression), motion.opening));
+    for (const Index c : network_.wet_channels()) network_.set_width(c, width(c));
+  }
+  double width(Index channel) const {
+    const auto o = assembly_.opening(channel);
+    return aperture_.width(network_.rest_width(channel) + o.dilation, o.compression, o.gap);
+  }
+
+  /// Joints that fluid has just reached are as wide as they are, and filled before or not.
+  void flood_joints(std::size_t wet_before) {
+    const bool filled = joints().contacts().law().initially() == JointContent::filled;
+    for (const Index c : network_.wet_channels().subspan(wet_before)) {
+      if (!is_joint(c)) continue;
+      network_.set_width(c, width(c));
+      if (filled) network_.set_filled_width(c, network_.width(c));
     }
   }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include <hfdem/base/fields.hpp>
+#include <hfdem/contact/jointed.hpp>
 #include <hfdem/mechanics/loading.hpp>
 #include <hfdem/setup/flow_domains.hpp>
 #include <hfdem/setup/preset_crack.hpp>
@@ -36,25 +37,34 @@ struct Mechanics {
 /// One section per policy and per part of the model.
 template <class Contact, class Aperture, class Pressure>
 struct SimulatorParams {
-  typename Contact::Params contact{};    ///< of the contact law
-  typename Aperture::Params aperture{};  ///< of the aperture law
-  FlowChannels channels{};               ///< of the fluid network
-  Loading::Params boundary{};            ///< what holds the specimen
-  Stress in_situ{};                      ///< before injection, and on the boundary during it
-  PresetCrack crack{};                   ///< where the fluid enters
-  Injection injection{};                 ///< how much of it, and where
-  Fluid fluid{};                         ///< its properties
-  Mechanics mechanics{};                 ///< mechanical steps
-  typename Pressure::Params scheme{};    ///< of the pressure scheme
+  typename Contact::Params contact{};             ///< of the contact law
+  typename JointLawOf<Contact>::Params joints{};  ///< of its joints, if it has any
+  typename Aperture::Params aperture{};           ///< of the aperture law
+  FlowChannels channels{};                        ///< of the fluid network
+  Loading::Params boundary{};                     ///< what holds the specimen
+  Stress in_situ{};                    ///< before injection, and on the boundary during it
+  PresetCrack crack{};                 ///< where the fluid enters
+  Injection injection{};               ///< how much of it, and where
+  Fluid fluid{};                       ///< its properties
+  Mechanics mechanics{};               ///< mechanical steps
+  typename Pressure::Params scheme{};  ///< of the pressure scheme
 
   /// The table of these sections.
   static constexpr auto sections() {
     using P = SimulatorParams;
-    return std::tuple{Section{"contact", &P::contact},     Section{"aperture", &P::aperture},
-                      Section{"channels", &P::channels},   Section{"boundary", &P::boundary},
-                      Section{"in_situ", &P::in_situ},     Section{"crack", &P::crack},
-                      Section{"injection", &P::injection}, Section{"fluid", &P::fluid},
-                      Section{"mechanics", &P::mechanics}, Section{"scheme", &P::scheme}};
+    const auto joints = [] {
+      if constexpr (HasJoints<Contact>)
+        return std::tuple{Section{"joints", &P::joints}};
+      else
+        return std::tuple{};
+    };
+    return std::tuple_cat(
+        std::tuple{Section{"contact", &P::contact}}, joints(),
+        std::tuple{Section{"aperture", &P::aperture}, Section{"channels", &P::channels},
+                   Section{"boundary", &P::boundary}, Section{"in_situ", &P::in_situ},
+                   Section{"crack", &P::crack}, Section{"injection", &P::injection},
+                   Section{"fluid", &P::fluid}, Section{"mechanics", &P::mechanics},
+                   Section{"scheme", &P::scheme}});
   }
 
   /// Checks every section.

@@ -93,6 +93,11 @@ inline std::string to_text(double v) {
   return {buffer.data(), end};
 }
 
+/// A vector as a parameter file has it: "[0.5, 0.25]".
+inline std::string to_text(Vec2 v) {
+  return std::string("[").append(to_text(v.x)).append(", ").append(to_text(v.y)).append("]");
+}
+
 /// A measured number in a message: six digits.
 inline std::string in_words(double v) {
   std::array<char, 32> buffer{};

@@ -30,7 +30,8 @@ struct CrackPoint {
   double pressure;  ///< mean of the two domains that it joins, Pa
 };
 
-/// The ends of a broken contact's facet: as long as the bond was wide, across the contact.
+/// The ends of a broken contact's facet: as long as the bond was wide, across the contact; of a
+/// joint, the piece of its fracture that the contact stands for.
 struct Facet {
   Vec2 from, to;  ///< m
 };
@@ -38,6 +39,10 @@ struct Facet {
 /// The facet of a contact, at the place where it was bonded.
 template <class Sim>
 Facet facet(const Sim& sim, Index contact) {
+  if (sim.is_joint(contact)) {
+    const auto [from, to] = sim.joints().ends(contact - sim.contacts().size());
+    return {from, to};
+  }
   const auto& [bodies, f] = sim.contact_geometry(contact);
   const double half =
       std::fmin(sim.discs().radius[bodies.first], sim.discs().radius[bodies.second]);

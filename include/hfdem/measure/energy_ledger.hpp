@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include <hfdem/contact/jointed.hpp>
 #include <hfdem/contact/smooth_platen.hpp>
 #include <hfdem/mechanics/motion.hpp>
 #include <hfdem/state/concepts.hpp>
@@ -37,7 +38,7 @@ struct EnergyEntries {
   double kinetic = 0;   ///< change of kinetic energy
   double friction = 0;  ///< spent on slip
   double damping = 0;   ///< spent on local damping
-  double breaks = 0;    ///< set free by bonds that broke
+  double breaks = 0;    ///< set free by bonds that broke, or by joints shared out anew
   double switching =
       0;  ///< spent, or if negative made, by steps in which a contact opens or closes
 
@@ -60,18 +61,18 @@ struct ContactInstant {
 template <class Law>
 struct EnergyInstant {
   long step = 0;                              ///< mechanical steps made before
-  std::size_t breaks = 0;                     ///< bonds broken so far
   double kinetic = 0;                         ///< kinetic energy, J per m
   std::vector<Pack> place;                    ///< displacements of discs and platens
   std::vector<Pack> damped;                   ///< per disc: what damping takes from the resultant
   std::vector<Vec2> fluid;                    ///< per disc: force of the fluid, N per m
   std::array<Pack, 4> platen_force{};         ///< of the discs on each platen
-  std::vector<ContactInstant<Law>> contacts;  ///< between discs
-  std::vector<ContactInstant<SmoothPlaten>> platens;  ///< on platens
+  std::vector<ContactInstant<Law>> contacts;  ///< between discs of the rock
+  std::vector<ContactInstant<JointLawOf<Law>>> joints;  ///< between discs on a natural fracture
+  std::vector<ContactInstant<SmoothPlaten>> platens;    ///< on platens
 
   /// All of it.
   void exchange(auto& archive) {
-    archive(step, breaks, kinetic, place, damped, fluid, std::span<Pack>(platen_force), contacts,
+    archive(step, kinetic, place, damped, fluid, std::span<Pack>(platen_force), contacts, joints,
             platens);
   }
 };
@@ -95,6 +96,7 @@ class EnergyLedger {
     if (!open_) {
       open_ = true;
       for (const auto& c : now_.contacts) stored_ += c.energy;
+      for (const auto& c : now_.joints) stored_ += c.energy;
       for (const auto& c : now_.platens) stored_ += c.energy;
     } else if (now_.step == before_.step + 1) {
       book(sim);
@@ -132,7 +134,6 @@ class EnergyLedger {
   void see(const Sim& sim) {
     const Discs& discs = sim.discs();
     now_.step = sim.mechanical_steps() + sim.settling_steps();
-    now_.breaks = sim.breaks().size();
     now_.place = discs.displacement;
     now_.damped.resize(discs.size());
     now_.fluid.resize(discs.size());
@@ -151,6 +152,7 @@ class EnergyLedger {
     for (std::size_t p = 0; p < all_sides.size(); ++p)
       now_.platen_force[p] = sim.forces().total(discs.platen(all_sides[p]));
     see(sim.contacts(), now_.place, now_.contacts);
+    see(sim.joints().contacts(), now_.place, now_.joints);
     see(sim.platens(), now_.place, now_.platens);
   }
 
@@ -171,10 +173,9 @@ class EnergyLedger {
   void book(const Sim& sim) {
     const double boundary = entries_.boundary, fluid = entries_.fluid;
     book_bodies(sim);
-    const Law& law = sim.contacts().law();
-    book_contacts<Law>(law, before_.contacts, now_.contacts);
+    book_contacts<Law>(sim.contacts().law(), before_.contacts, now_.contacts);
+    book_contacts<JointLawOf<Law>>(sim.joints().contacts().law(), before_.joints, now_.joints);
     book_contacts<SmoothPlaten>(sim.platens().law(), before_.platens, now_.platens);
-    for (const auto& b : sim.breaks().subspan(before_.breaks)) book_break(law, b.contact);
     work_done_ += std::abs(entries_.boundary - boundary) + std::abs(entries_.fluid - fluid);
     worst_error_ = std::fmax(worst_error_, relative_error());
   }
@@ -205,22 +206,35 @@ class EnergyLedger {
       const auto& [from, earlier, slip, stored] = before[c];
       const auto& [to, k, new_slip, stores] = now[c];
       entries_.elastic += stores - stored;
+      if (differ(earlier, k)) book_change(law, before[c], now[c]);
       // What a change of memory alone takes from the energy: the mean of before and after motion.
       if (differ(slip, new_slip))
         entries_.friction += 0.5 * (law.energy(k, slip, from) - law.energy(k, new_slip, from) +
                                     law.energy(k, slip, to) - law.energy(k, new_slip, to));
       // By Betti's theorem zero for what stays one spring.
-      if ((from.opening > 0) != (to.opening > 0))
-        entries_.switching += 0.5 * (law.respond(k, new_slip, to).reaction().normal * from.opening -
-                                     law.respond(k, slip, from).reaction().normal * to.opening);
+      const double gap = opening(law, slip, from), new_gap = opening(law, new_slip, to);
+      if ((gap > 0) != (new_gap > 0))
+        entries_.switching += 0.5 * (law.respond(k, new_slip, to).reaction().normal * gap -
+                                     law.respond(k, slip, from).reaction().normal * new_gap);
     }
   }
 
+  /// How far a contact is open: a joint, beyond what its slip has lifted it.
+  template <class ThisLaw, class Memory>
+  static double opening(const ThisLaw& law, const Memory& memory, const Motion<double>& motion) {
+    if constexpr (JointLaw<ThisLaw>)
+      return motion.opening - law.dilation(memory);
+    else
+      return motion.opening;
+  }
+
   /// A bond gives up what it stored, less what its last force still did while it fell to zero
-  /// during the step.
-  void book_break(const Law& law, Index contact) {
-    const auto& [from, whole, memory, stored] = before_.contacts[contact];
-    const auto& [to, rest, new_memory, stores] = now_.contacts[contact];
+  /// during the step. So does what one joint contact leaves to another.
+  template <class ThisLaw>
+  void book_change(const ThisLaw& law, const ContactInstant<ThisLaw>& earlier,
+                   const ContactInstant<ThisLaw>& now) {
+    const auto& [from, whole, memory, stored] = earlier;
+    const auto& [to, rest, new_memory, stores] = now;
     const Reaction<double> before = law.respond(whole, memory, from).reaction();
     const Reaction<double> after = law.respond(rest, memory, from).reaction();
     entries_.breaks += stored - law.energy(rest, memory, from) -
@@ -229,12 +243,12 @@ class EnergyLedger {
                               (before.moment - after.moment) * (to.rotation - from.rotation));
   }
 
-  template <class Memory>
-  static bool differ(const Memory& a, const Memory& b) {
-    if constexpr (std::is_empty_v<Memory>)
+  template <class Record>
+  static bool differ(const Record& a, const Record& b) {
+    if constexpr (std::is_empty_v<Record>)
       return false;
     else
-      return std::memcmp(&a, &b, sizeof(Memory)) != 0;
+      return std::memcmp(&a, &b, sizeof(Record)) != 0;
   }
 
   EnergyEntries entries_;

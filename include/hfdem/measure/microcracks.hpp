@@ -1,9 +1,10 @@
 /// @file
 /// The broken bonds of a run as plain data, and how many there are of each kind.
 ///
-/// A microcrack is as long as its bond was wide, 2 Rb, and lies across its contact. It is connected
-/// if fluid reaches it from the injection through other microcracks, and waits otherwise (the
-/// paper's Table 5 and its Figs. 14 and 15).
+/// A microcrack is as long as its bond was wide, 2 Rb, and lies across its contact; one in a
+/// natural fracture is the piece of it for which its joint contact stands. It is connected if fluid
+/// reaches it from the injection through other microcracks, and waits otherwise (the paper's Table
+/// 5 and its Figs. 14 and 15).
 #pragma once
 
 #include <array>
@@ -23,10 +24,11 @@ struct Microcrack {
   std::array<Index, 2> domain{nothing, nothing};  ///< that its channel joins
   std::optional<Mode> mode = std::nullopt;        ///< none for the preset crack: it was cut
   bool connected = false;                         ///< to the injection
+  bool in_joint = false;                          ///< or in rock
   double aperture = 0, opening = 0;               ///< w and w - w0, m; zero while unconnected
   double pressure = 0;                            ///< mean of its domains, Pa
 
-  double length() const { return norm(facet.to - facet.from); }  ///< 2 Rb, m
+  double length() const { return norm(facet.to - facet.from); }  ///< m
   Vec2 middle() const { return 0.5 * (facet.from + facet.to); }  ///< m
 };
 
@@ -40,7 +42,8 @@ std::vector<Microcrack> microcracks(const Sim& sim) {
                  .facet = facet(sim, c),
                  .domain = network.geometry().channels[c].domain,
                  .mode = mode,
-                 .connected = network.is_wet(c)};
+                 .connected = network.is_wet(c),
+                 .in_joint = sim.is_joint(c)};
     if (m.connected) {
       m.aperture = network.width(c);
       m.opening = m.aperture - network.rest_width(c);
@@ -74,14 +77,23 @@ struct MicrocrackCount {
 /// Microcracks by what fluid they see.
 struct MicrocrackCounts {
   MicrocrackCount connected, unconnected;  ///< to the injection
+
+  int total() const { return connected.total() + unconnected.total(); }  ///< with fluid or without
 };
 
-/// Counts microcracks; of one place at a time, if the list holds those alone.
-inline MicrocrackCounts count(std::span<const Microcrack> microcracks) {
+/// Counts the microcracks of a list that are wanted.
+/// @param microcracks of a run
+/// @param wanted answers true for those to count
+template <class Wanted>
+MicrocrackCounts count(std::span<const Microcrack> microcracks, Wanted&& wanted) {
   MicrocrackCounts counts;
   for (const Microcrack& m : microcracks)
-    (m.connected ? counts.connected : counts.unconnected).add(m);
+    if (wanted(m)) (m.connected ? counts.connected : counts.unconnected).add(m);
   return counts;
+}
+/// Counts all microcracks of a list.
+inline MicrocrackCounts count(std::span<const Microcrack> microcracks) {
+  return count(microcracks, [](const Microcrack&) { return true; });
 }
 
 }  // namespace hfdem::measure

@@ -74,6 +74,14 @@ std::vector<StressTensor> particle_stress(const Sim& sim) {
     add(second, point - discs.centre[second], force);
   }
 
+  for (std::size_t k = 0; k < sim.joints().size(); ++k) {
+    const auto [first, second] = sim.joints().pair(k).bodies;
+    const Vec2 point = sim.joints().crossing(k);
+    const Vec2 force = force_on_second(sim.joints().contacts().first_row() + k);
+    add(first, point - discs.centre[first], -force);
+    add(second, point - discs.centre[second], force);
+  }
+
   std::size_t row = sim.platens().first_row();
   for (const auto& [bodies, f] : sim.platen_geometry())
     add(bodies.first, discs.radius[bodies.first] * Vec2{f.normal_x, f.normal_y},

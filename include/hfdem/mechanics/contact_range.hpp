@@ -115,6 +115,9 @@ class ContactRange {
     stiffness_.set(c, law_.broken(stiffness_[c]));
   }
 
+  /// Replaces what is otherwise fixed of contact c.
+  void set_stiffness(std::size_t c, const Stiffness& k) { stiffness_.set(c, k); }
+
   /// What is left of the bonds, and what the contacts remember.
   void exchange(auto& archive) {
     if constexpr (BreakableLaw<Law>) archive(stiffness_);

@@ -90,13 +90,14 @@ constexpr std::string_view name(Mode mode) { return mode == Mode::tension ? "ten
 /// Every bond that broke during the run (the preset crack is not among them), in order.
 template <class Sim>
 void write_cracks(std::ostream& out, const Sim& sim) {
-  out << "time_s,x_m,y_m,length_m,mode,injection_pressure_Pa\n";
+  out << "time_s,x_m,y_m,length_m,mode,injection_pressure_Pa,place\n";
   for (const auto& b : sim.breaks()) {
     const auto [from, to] = measure::facet(sim, b.contact);
     const Vec2 at = sim.contact_point(b.contact);
     char text[160];
-    std::snprintf(text, sizeof text, "%.10g,%.10g,%.10g,%.10g,%s,%.10g\n", b.time, at.x, at.y,
-                  norm(to - from), std::string(name(b.mode)).c_str(), b.pressure);
+    std::snprintf(text, sizeof text, "%.10g,%.10g,%.10g,%.10g,%s,%.10g,%s\n", b.time, at.x, at.y,
+                  norm(to - from), std::string(name(b.mode)).c_str(), b.pressure,
+                  sim.is_joint(b.contact) ? "joint" : "rock");
     out << text;
   }
 }

@@ -10,11 +10,13 @@
 ///   row and column are zeros; the principal stresses are those in the plane.
 /// - contacts: a line between the present centres of the two discs of every contact, bonded or
 ///   broken. The shear force is that on the second end along the line's direction turned left; the
-///   moment resists the rotation of the second disc relative to the first.
+///   moment resists the rotation of the second disc relative to the first. Joints feel normal and
+///   shear forces across and along their fracture, whatever the line's direction.
 /// - cracks: a line as long as the bond was wide, across every broken contact at the place where it
-///   was bonded; the preset ones first, then in the order of breaking. The pressure is the mean of
-///   the two flow domains that the contact separates. What is broken but not connected to the
-///   injection holds no fluid: not wet, no aperture. The preset contacts broke at time 0.
+///   was bonded, or the piece of fracture for which a broken joint stands; the preset ones first,
+///   then in the order of breaking. The pressure is the mean of the two flow domains that the
+///   contact separates. What is broken but not connected to the injection holds no fluid: not wet,
+///   no aperture. The preset contacts broke at time 0.
 #pragma once
 
 #include <array>
@@ -43,6 +45,8 @@ enum class BondState : std::uint8_t { intact = 0, tension = 1, shear = 2, preset
 /// The array of bond states, with what its numbers mean.
 inline constexpr std::string_view bond_state_name =
     "state (0 intact, 1 tension, 2 shear, 3 preset)";
+/// The array that tells joints from rock.
+inline constexpr std::string_view place_name = "place (0 rock, 1 joint)";
 
 /// An observer that writes the run into a folder every `interval` seconds of simulated time. All
 /// files are complete at any time, the lists after each step.
@@ -130,21 +134,23 @@ class ParaView {
 
   template <class Sim>
   static VtkPolyData contacts(const Sim& sim, const std::vector<Broken>& broken) {
-    const auto& rock = sim.contacts();
-    std::vector<BondState> state(rock.size(), BondState::intact);
+    const auto contacts = static_cast<Index>(sim.contacts().size() + sim.joints().bonded());
+    std::vector<BondState> state(contacts, BondState::intact);
     for (const Broken& b : broken) state[b.contact] = b.state;
     std::vector<Reaction<double>> reaction;
     VtkPolyData file(sim.time());
     add_centres(file, sim.discs());
-    for (std::size_t c = 0; c < rock.size(); ++c) {
-      file.add_line(rock.bodies(c).first, rock.bodies(c).second);
-      reaction.push_back(rock.response(c, sim.discs().displacement).reaction());
+    for (Index c = 0; c < contacts; ++c) {
+      const auto [first, second] = sim.contact_geometry(c).bodies;
+      file.add_line(first, second);
+      reaction.push_back(sim.reaction(c));
     }
     file.add_to_lines("normal force (N/m, compression positive)",
                       [&](Index c) { return reals(reaction[c].normal); });
     file.add_to_lines("shear force (N/m)", [&](Index c) { return reals(reaction[c].shear); });
     file.add_to_lines("bond moment (N m/m)", [&](Index c) { return reals(reaction[c].moment); });
     file.add_to_lines(bond_state_name, [&](Index c) { return code(state[c]); });
+    file.add_to_lines(place_name, [&](Index c) { return code(sim.is_joint(c)); });
     return file;
   }
 
@@ -165,6 +171,7 @@ class ParaView {
     file.add_to_lines("wet (0 dry, 1 wet)",
                       [&](Index k) { return code(network.is_wet(broken[k].contact)); });
     file.add_to_lines(bond_state_name, [&](Index k) { return code(broken[k].state); });
+    file.add_to_lines(place_name, [&](Index k) { return code(sim.is_joint(broken[k].contact)); });
     file.add_to_lines("time of break (s)", [&](Index k) { return reals(broken[k].time); });
     return file;
   }

@@ -86,9 +86,11 @@ class UniformPressure {
       stop_if_crack_ran_away(network, injected.total);
       const double wanted = injected.total > 0 ? injected.total : network.rest_volume();
       step.volume_error = std::abs(injected.total - network.crack_volume()) / wanted;
-      step.converged =
-          step.volume_error <= *params_.volume_tolerance &&
-          (!params_.equilibrium || relaxed.unbalanced_ratio < params_.unbalanced_tolerance);
+      const bool matched = step.volume_error <= *params_.volume_tolerance;
+      step.converged = params_.equilibrium
+                           ? (matched || is_half_empty(network, injected.total)) &&
+                                 relaxed.unbalanced_ratio < params_.unbalanced_tolerance
+                           : matched;
     } while (!step.converged && step.mechanical_steps < *params_.max_mechanical_steps);
     // What turned wet in the last mechanical step has the pressure, too.
     fill(network, network.pressure(network.injection_domain()));
@@ -108,6 +110,12 @@ class UniformPressure {
 
   static void fill(Network& network, double pressure) {
     for (const Index d : network.wet_domains()) network.set_pressure(d, pressure);
+  }
+
+  /// Whether there is too little fluid to fill the crack even without pressure, as after it has
+  /// reached a dry joint: then no pressure matches the volumes until more is injected.
+  static bool is_half_empty(const Network& network, double injected) {
+    return network.pressure(network.injection_domain()) <= 0 && network.crack_volume() > injected;
   }
 
   static void stop_if_crack_ran_away(const Network& network, double injected) {

@@ -174,7 +174,7 @@ inline Index injection_domain(const FlowDomains& domains, const Specimen& specim
   const Vec2 at = position.value_or(Vec2{specimen.width / 2, specimen.height / 2});
   const bool inside = at.x > 0 && at.x < specimen.width && at.y > 0 && at.y < specimen.height;
   if (!inside || domains.centre.empty())
-    refuse("injection", "position", "[" + to_text(at.x) + ", " + to_text(at.y) + "] m",
+    refuse("injection", "position", to_text(at) + " m",
            "inside the specimen, which is " + to_text(specimen.width) + " m by " +
                to_text(specimen.height) + " m and has " + std::to_string(domains.centre.size()) +
                " flow domains");

@@ -125,7 +125,28 @@ concept VaryingLaw = ContactLaw<L> &&
   noexcept->std::same_as<typename L::template Stiffness<double>>;
 };
 
-// ---- aperture law -----------------------------------------------------------------------------
+// ---- joint law ----------------------------------------------------------------------------------
+
+/// `stiffness(length)` gives a new contact that stands for so many metres of fracture;
+/// `with_length` the same contact with another share.
+template <class J>
+concept gives_stiffness_of_length = requires(const J& law,
+                                             const typename J::template Stiffness<double>& k,
+                                             double length) {
+  { law.stiffness(length) }
+  noexcept->std::same_as<typename J::template Stiffness<double>>;
+  { law.with_length(k, length) }
+  noexcept->std::same_as<typename J::template Stiffness<double>>;
+};
+
+/// `slip(memory)` and `dilation(memory)`: how far the joint has slid, and what that has opened, m.
+template <class J>
+concept tells_slip = requires(const J& law, const typename J::template Memory<double>& memory) {
+  { law.slip(memory) }
+  noexcept->std::same_as<double>;
+  { law.dilation(memory) }
+  noexcept->std::same_as<double>;
+};
 
 /// `rest_width()` gives the aperture at zero force, w0, m.
 template <class A>
@@ -133,6 +154,29 @@ concept gives_rest_width = requires(const A& law) {
   { law.rest_width() }
   noexcept->std::same_as<double>;
 };
+
+/// Its response knows the `normal_stress` on the fracture, Pa, compression positive.
+template <class J>
+concept tells_normal_stress = requires(const J& law,
+                                       const typename J::template Stiffness<double>& k,
+                                       const typename J::template Memory<double>& memory) {
+  { law.respond(k, memory, Motion<double>{}).normal_stress } -> std::convertible_to<double>;
+};
+
+/// `initially()` says whether fluid is in the joint before the injected one comes.
+template <class J>
+concept tells_content = requires(const J& law) {
+  { law.initially() }
+  noexcept;
+};
+
+/// The contact law between discs on either side of a natural fracture.
+template <class J>
+concept JointLaw = has_described_params<J> && constructible_from_params<J> &&
+    gives_stiffness_of_length<J> && BreakableLaw<J> && tells_slip<J> && tells_normal_stress<J> &&
+    gives_rest_width<J> && tells_content<J>;
+
+// ---- aperture law -----------------------------------------------------------------------------
 
 /// `width(w0, compression, gap)` gives the hydraulic aperture, m.
 template <class A>

@@ -55,6 +55,7 @@ class Network {
       : geometry_(std::move(geometry)),
         injection_domain_(injection_domain),
         rest_width_(geometry_.channels.size(), rest_width),
+        filled_width_(rest_width_),
         width_(geometry_.channels.size(), 0),
         pressure_(geometry_.centre.size(), 0),
         open_(geometry_.channels.size(), false),
@@ -85,9 +86,19 @@ class Network {
   std::span<const double> pressures() const { return pressure_; }
   /// Hydraulic aperture w of a channel, m; zero while it is dry.
   double width(Index channel) const { return width_[channel]; }
-  /// Aperture at zero contact force, w0, m; what is taken as filled when the channel turns wet.
+  /// Aperture at zero contact force, w0, m.
   double rest_width(Index channel) const { return rest_width_[channel]; }
+  /// How wide the fluid that was there before reaches when the channel turns wet, m: w0 in rock.
+  double filled_width(Index channel) const { return filled_width_[channel]; }
 
+  /// Gives a channel that is not yet wet an aperture at zero contact force of its own, m, and none
+  /// of it filled: that of a dry joint.
+  void set_rest_width(Index channel, double width) {
+    rest_width_[channel] = width;
+    filled_width_[channel] = 0;
+  }
+  /// Sets how much of a wet channel is taken as filled from the beginning, m.
+  void set_filled_width(Index channel, double width) { filled_width_[channel] = width; }
   /// Sets the hydraulic aperture of a wet channel, m.
   void set_width(Index channel, double width) { width_[channel] = width; }
   /// Sets the pressure of a wet domain, Pa.
@@ -104,10 +115,10 @@ class Network {
       if (d != nothing && wet_domain_[d]) return flood(channel);
   }
 
-  /// V_c, Eq. 2, m2 (per m of thickness): what the crack has opened beyond its filled width, which
-  /// is that at zero contact force. Slightly negative while the crack is still pressed shut.
+  /// V_c, Eq. 2, m2 (per m of thickness): what the crack has opened beyond its filled width.
+  /// Slightly negative while the crack is still pressed shut.
   double crack_volume() const {
-    return sum([&](Index c) { return width_[c] - rest_width_[c]; });
+    return sum([&](Index c) { return width_[c] - filled_width_[c]; });
   }
   /// V_t, Eq. 3: the whole volume of the wet channels, m2.
   double total_volume() const {
@@ -150,8 +161,8 @@ class Network {
 
   /// Where the fluid is, its pressure, and the widths.
   void exchange(auto& archive) {
-    archive(std::span(width_), std::span(pressure_), open_, wet_channel_, wet_domain_, pushed_disc_,
-            wet_channels_, wet_domains_, pushed_discs_, reached_rim_);
+    archive(std::span(filled_width_), std::span(width_), std::span(pressure_), open_, wet_channel_,
+            wet_domain_, pushed_disc_, wet_channels_, wet_domains_, pushed_discs_, reached_rim_);
   }
 
  private:
@@ -201,7 +212,7 @@ class Network {
 
   FlowDomains geometry_;
   Index injection_domain_ = nothing;
-  std::vector<double> rest_width_, width_, pressure_;
+  std::vector<double> rest_width_, filled_width_, width_, pressure_;
   std::vector<bool> open_, wet_channel_, wet_domain_, pushed_disc_;
   std::vector<Index> wet_channels_, wet_domains_, pushed_discs_;
   bool reached_rim_ = false;
