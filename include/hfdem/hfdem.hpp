@@ -3,6 +3,7 @@
 /// policies, and compiles faster.
 #pragma once
 
+#include <hfdem/analytic/joint_strength.hpp>
 #include <hfdem/analytic/kgd_regime.hpp>
 #include <hfdem/analytic/plate_growth.hpp>
 #include <hfdem/analytic/pressurised_crack.hpp>
@@ -17,6 +18,7 @@
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/measure/elastic_moduli.hpp>
 #include <hfdem/measure/energy_ledger.hpp>
+#include <hfdem/measure/joint_test.hpp>
 #include <hfdem/measure/mohr_coulomb.hpp>
 #include <hfdem/measure/particle_stress.hpp>
 #include <hfdem/measure/path_profile.hpp>

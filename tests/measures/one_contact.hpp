@@ -29,10 +29,7 @@ class OneContact {
     ++steps_;
   }
   /// With the next motion.
-  void break_bond() {
-    contacts_.break_bond(0);
-    breaks_.push_back({});
-  }
+  void break_bond() { contacts_.break_bond(0); }
   const hfdem::measure::EnergyEntries& entries() const { return ledger_.entries(); }
 
   // ---- what a ledger reads ----------------------------------------------------------------------
@@ -58,7 +55,7 @@ class OneContact {
   const hfdem::ForceRows& forces() const { return forces_; }
   const hfdem::ContactRange<Bond>& contacts() const { return contacts_; }
   const hfdem::ContactRange<hfdem::SmoothPlaten>& platens() const { return platens_; }
-  std::span<const hfdem::BondBreak> breaks() const { return breaks_; }
+  const hfdem::JointContacts<hfdem::NoJoint>& joints() const { return joints_; }
 
  private:
   static hfdem::Specimen two_discs() {
@@ -83,7 +80,7 @@ class OneContact {
   hfdem::ContactRange<Bond> contacts_{Bond(sample_rock), 0, geometry_, stiffness_};
   hfdem::ContactRange<hfdem::SmoothPlaten> platens_{{}, hfdem::pack_width, {}, {}};
   hfdem::ForceRows forces_ = arranged();
-  std::vector<hfdem::BondBreak> breaks_;
+  hfdem::JointContacts<hfdem::NoJoint> joints_{{}, hfdem::pack_width, {}, 0, {}};
   hfdem::measure::EnergyLedger<Bond> ledger_;
   long steps_ = 0;
 };

@@ -133,7 +133,7 @@ class JointContacts {
     const Index fracture = pairs_[joint].fracture;
     const auto& [from, to] = fractures_[fracture];
     hfdem::refuse("specimen", "joints",
-                  std::string("fracture ").append(std::to_string(fracture + 1)) + " from " +
+                  std::string("fracture ").append(std::to_string(fracture)) + " from " +
                       to_text(from) + " to " + to_text(to) + " m",
                   allowed);
   }

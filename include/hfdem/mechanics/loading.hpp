@@ -98,10 +98,12 @@ class Loading {
     return discs;
   }
 
-  /// How far a platen's force is from its target, relative to it.
+  /// How far a platen's force is from its target, relative to it; a driven one has none.
   double error(Side side, const Discs& discs, const ForceRows& forces) const {
     const double goal = target(side);
-    return goal == 0 ? 0 : std::abs(compression(side, discs, forces) - goal) / std::abs(goal);
+    const bool driven = advance_[static_cast<std::size_t>(side)].has_value();
+    return goal == 0 || driven ? 0
+                               : std::abs(compression(side, discs, forces) - goal) / std::abs(goal);
   }
 
   /// The force of the discs on a platen, N per m, compression positive.
