@@ -1,17 +1,10 @@
-#include <sstream>
-
 #include <toml++/toml.h>
 
 #include "support/settings.hpp"
+#include "support/toml_file.hpp"
 
 namespace hfdem::support {
 namespace {
-
-std::string written(const toml::node& node) {
-  std::ostringstream text;
-  node.visit([&](const auto& n) { text << n; });
-  return text.str();
-}
 
 Setting setting(std::string section, std::string key, const toml::node& node, std::string where) {
   Setting s{std::move(section), std::move(key), false, written(node), std::move(where)};
@@ -36,26 +29,17 @@ Setting setting(std::string section, std::string key, const toml::node& node, st
 }  // namespace
 
 std::vector<Setting> read_toml(const std::string& path) {
-  toml::table file;
-  try {
-    file = toml::parse_file(path);
-  } catch (const toml::parse_error& e) {
-    if (e.source().begin.line == 0)
-      throw InvalidParameter("cannot read " + path + ": " + std::string(e.description()));
-    throw InvalidParameter("line " + std::to_string(e.source().begin.line) + " of " + path + ": " +
-                           std::string(e.description()));
-  }
+  const toml::table file = parse_toml(path);
   std::vector<Setting> settings;
   for (const auto& [section, content] : file) {
-    const std::string where = "line " + std::to_string(content.source().begin.line) + " of " + path;
+    const std::string where = place_in(path, content.source());
     const toml::table* keys = content.as_table();
     if (keys == nullptr)
       throw InvalidParameter(where + ": \"" + std::string(section.str()) +
                              "\" stands outside of a [section]");
     for (const auto& [key, node] : *keys)
-      settings.push_back(
-          setting(std::string(section.str()), std::string(key.str()), node,
-                  "line " + std::to_string(node.source().begin.line) + " of " + path));
+      settings.push_back(setting(std::string(section.str()), std::string(key.str()), node,
+                                 place_in(path, node.source())));
   }
   return settings;
 }

@@ -42,12 +42,17 @@
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
 #include <hfdem/pressure/uniform.hpp>
+#include <hfdem/setup/fracture_file.hpp>
 #include <hfdem/setup/random_packing.hpp>
 #include <hfdem/setup/specimen_file.hpp>
 #include <hfdem/setup/square_array.hpp>
 #include <hfdem/simulator.hpp>
 
-// The one header that needs a package.
+// The headers that need a package.
 #if __has_include(<nanoflann.hpp>)
 #include <hfdem/neighbours/kd_tree.hpp>
+#endif
+#if __has_include(<boost/geometry/index/rtree.hpp>)
+#include <hfdem/setup/joints.hpp>
+#include <hfdem/setup/random_fractures.hpp>
 #endif

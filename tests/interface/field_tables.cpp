@@ -29,6 +29,7 @@
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
 #include <hfdem/pressure/uniform.hpp>
+#include <hfdem/setup/random_fractures.hpp>
 #include <hfdem/setup/random_packing.hpp>
 #include <hfdem/setup/square_array.hpp>
 #include <hfdem/simulator_params.hpp>
@@ -49,7 +50,7 @@ using AllParams =
                measure::SlitSeries, measure::CircleGrid, measure::LoadFrame, BrazilianDisc,
                ScatteredParallelBond::Params, analytic::KgdProblem, analytic::LatticeFracture,
                analytic::OrthotropicPlane, analytic::ToughnessLaw, analytic::RockFracture,
-               measure::HeldSlits, measure::RunningRange>;
+               measure::HeldSlits, measure::RunningRange, RandomFractures>;
 
 /// Parameters in range: the defaults, but for descriptions of a rock, which have none.
 template <class P>

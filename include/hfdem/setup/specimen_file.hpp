@@ -17,7 +17,6 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -25,100 +24,19 @@
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include <hfdem/base/errors.hpp>
 #include <hfdem/base/fields.hpp>
 #include <hfdem/base/whole_file.hpp>
+#include <hfdem/setup/data_lines.hpp>
 #include <hfdem/state/specimen.hpp>
 
 namespace hfdem {
 
 namespace detail {
 
-/// The text between quotation marks.
-inline std::string in_quotes(std::string_view text) {
-  return std::string("\"").append(text) + "\"";
-}
-
-/// The lines of a specimen file that count, split into words; refuses what is wrong with them.
-class SpecimenLines {
- public:
-  /// @param name of the file, for messages
-  SpecimenLines(std::istream& in, std::string name) : in_(in), name_(std::move(name)) {}
-
-  /// Goes to the next line that counts.
-  /// @returns whether there is one
-  bool next() {
-    while (std::getline(in_, line_)) {
-      ++number_;
-      split(std::string_view(line_).substr(0, line_.find('#')));
-      if (!words_.empty()) return true;
-    }
-    words_.clear();
-    return false;
-  }
-
-  /// Goes to the next line, which must have so many words.
-  void expect(std::size_t words, const std::string& what) {
-    if (!next()) wrong("ends where " + what + " should follow");
-    if (words_.size() != words)
-      wrong(in_quotes(line_) + " has " + std::to_string(words_.size()) +
-            (words_.size() == 1 ? " word" : " words") + " where " + what + " should stand");
-  }
-
-  /// Goes to the next line, which must be a name and a value of the given type.
-  template <class T>
-  T named(std::string_view name, const Range& range, std::string_view unit) {
-    expect(2, in_quotes(name) + " and its value");
-    if (words_[0] != name)
-      wrong(in_quotes(words_[0]) + " stands where " + in_quotes(name) + " should");
-    return value<T>(1, name, range, unit);
-  }
-
-  /// The word at a place of this line as a number within a range.
-  template <class T>
-  T value(std::size_t place, std::string_view what, const Range& range,
-          std::string_view unit) const {
-    const std::string_view word = words_[place];
-    T result{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), result);
-    const bool read = error == std::errc{} && end == word.data() + word.size();
-    const auto number = static_cast<double>(result);
-    if (!read || !std::isfinite(number) || !range.contains(number))
-      wrong(std::string(what) + " = " + std::string(word) + " is not allowed: it must be " +
-            (std::is_integral_v<T> ? "a whole number, " : "a number, ") + to_text(range, unit));
-    return result;
-  }
-
-  /// @throws InvalidParameter "specimen file NAME, line N: ..."
-  [[noreturn]] void wrong(const std::string& why) const {
-    throw InvalidParameter("specimen file " + name_ + ", line " + std::to_string(number_) + ": " +
-                           why);
-  }
-
-  const std::vector<std::string_view>& words() const { return words_; }  ///< of this line
-
- private:
-  void split(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    words_.clear();
-    for (std::size_t begin = text.find_first_not_of(blanks); begin != text.npos;) {
-      const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
-      words_.push_back(text.substr(begin, end - begin));
-      begin = text.find_first_not_of(blanks, end);
-    }
-  }
-
-  std::istream& in_;
-  std::string name_, line_{};
-  std::vector<std::string_view> words_{};
-  std::size_t number_ = 0;
-};
-
-inline void read_discs(SpecimenLines& lines, Specimen& s) {
+inline void read_discs(DataLines& lines, Specimen& s) {
   // Not reserved: the number may be nonsense.
   const auto count = lines.named<std::uint32_t>("discs", Range{1, nothing - 8.0}, "");
   for (Index i = 0; i < count; ++i) {
@@ -133,7 +51,7 @@ inline void read_discs(SpecimenLines& lines, Specimen& s) {
   }
 }
 
-inline void read_pairs(SpecimenLines& lines, Specimen& s) {
+inline void read_pairs(DataLines& lines, Specimen& s) {
   const auto count = lines.named<std::uint32_t>("pairs", Range{0, nothing - 1.0}, "");
   const double last = static_cast<double>(s.size()) - 1;
   for (Index k = 0; k < count; ++k) {
@@ -171,7 +89,7 @@ inline void write_specimen(std::ostream& out, const Specimen& s) {
 /// @param name of the file, for messages
 /// @throws InvalidParameter naming the file, the line and what is wrong with it
 inline Specimen read_specimen(std::istream& in, const std::string& name) {
-  detail::SpecimenLines lines(in, name);
+  detail::DataLines lines(in, "specimen file " + name + ", line ", "");
   lines.expect(3, "\"hfdem specimen 1\"");
   if (lines.words()[0] != "hfdem" || lines.words()[1] != "specimen")
     lines.wrong("this is no specimen file: it does not begin with \"hfdem specimen 1\"");
