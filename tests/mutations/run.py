@@ -20,6 +20,7 @@ KGD, PROFILE, TIP, GENERAL, REGIME = (f"analytic/kgd{s}.hpp" for s in ("", "_pro
 LEDGER = "measure/energy_ledger.hpp"
 CRACK = "analytic/pressurised_crack.hpp"
 PLATE, FIELDS, SOLVER, GROWTH = (f"analytic/plate{s}.hpp" for s in ("", "_fields", "_solver", "_growth"))
+JOINTS, RANDOM_FRACTURES = "setup/joints.hpp", "setup/random_fractures.hpp"
 
 # name, header, what stands there, what a careless hand writes, the tests that must see it
 MUTATIONS = [
@@ -195,6 +196,15 @@ MUTATIONS = [
     ("Weibull's mean", "contact/scattered_parallel_bond.hpp", "std::tgamma(1 + exponent)", "1", "laws/scattered_bond"),
     ("scattered cohesion", "contact/scattered_parallel_bond.hpp", "r.bond_shear * k.weakness", "r.bond_shear", "laws/scattered_bond"),
     ("scattered tension", "contact/scattered_parallel_bond.hpp", "r.bond_normal * k.weakness", "r.bond_normal", "laws/scattered_bond"),
+    ("centre on a fracture's line", JOINTS, "from, f.to, a) >= 0", "from, f.to, a) > 0", "specimens/joints"),
+    ("line that touches a fracture's end", JOINTS, "f.to) > 0) return", "f.to) >= 0) return", "specimens/joints"),
+    ("side to which a joint's normal points", JOINTS, "left_a ? -normal : normal", "left_a ? normal : -normal", "specimens/joints"),
+    ("place of a joint along its fracture", JOINTS, "std::clamp(along,", "std::clamp(1.05 * along,", "specimens/joints"),
+    ("contact point of unequal discs", JOINTS, "(distance + s.radius[p.first] - s.radius[p.second]) / 2", "distance / 2", "specimens/joints"),
+    ("exact side of a line", "base/side_of_line.hpp", "rounding = 3.4e-16", "rounding = 0", "specimens/joints"),
+    ("joints of a renumbered specimen", "setup/space_filling_curve.hpp", "if (first > second) joint", "if (first < second) joint", "specimens/joints"),
+    ("spacing of random fractures", RANDOM_FRACTURES, "d < p.spacing", "d < 0.95 * p.spacing", "specimens/random_fractures"),
+    ("second family of fractures", RANDOM_FRACTURES, "angle = 180 - angle", "angle = 90 + angle", "specimens/random_fractures"),
 ]
 
 FLAGS = "-std=c++20 -O1 -w -ffp-contract=off -I/usr/include/eigen3".split()

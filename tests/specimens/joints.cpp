@@ -11,6 +11,7 @@
 #include <hfdem/base/side_of_line.hpp>
 #include <hfdem/setup/joints.hpp>
 #include <hfdem/setup/random_packing.hpp>
+#include <hfdem/setup/space_filling_curve.hpp>
 #include <hfdem/setup/square_array.hpp>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -212,6 +213,19 @@ TEST_CASE("the mirror image of a fractured packing has the mirror image of its j
   REQUIRE(expected.size() > 100);
   for (JointPair& p : expected) p.normal.x = -p.normal.x;
   check_same(image.joints.pairs, expected);
+}
+
+TEST_CASE("a specimen that is numbered anew keeps its joints") {
+  Specimen s = packing();
+  const auto fractures = scattered(24, 0.1, 1);
+  insert_joints(s, fractures);
+  std::vector<Index> backwards(s.size());
+  for (Index i = 0; i < s.size(); ++i) backwards[i] = static_cast<Index>(s.size()) - 1 - i;
+  const Specimen renamed = renumbered(s, backwards);
+  Specimen fresh = renamed;
+  insert_joints(fresh, fractures);
+  CHECK(renamed.joints.fractures.size() == fractures.size());
+  check_same(renamed.joints.pairs, fresh.joints.pairs);
 }
 
 TEST_CASE("a fracture that ends between two discs parts them if it reaches their line") {

@@ -32,11 +32,11 @@ namespace detail {
 
 /// The place that a message names; fractures without names are counted from 0.
 inline std::string name_of_fracture(std::size_t k, std::span<const std::string> names) {
-  return k < names.size() ? names[k] : "fracture " + std::to_string(k);
+  return k < names.size() ? names[k] : std::string("fracture ") + std::to_string(k);
 }
 
 inline std::string point_in_words(Vec2 p) {
-  return "(" + to_text(p.x) + ", " + to_text(p.y) + ") m";
+  return std::string("(") + to_text(p.x) + ", " + to_text(p.y) + ") m";
 }
 
 [[noreturn]] inline void refuse_fracture(const std::string& name, const NaturalFracture& f,

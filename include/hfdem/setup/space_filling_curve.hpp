@@ -69,6 +69,14 @@ inline Specimen renumbered(const Specimen& s, const std::vector<Index>& order) {
     const auto [first, second] = std::minmax(number[p.first], number[p.second]);
     result.pairs.push_back({first, second});
   }
+  result.joints = s.joints;
+  for (JointPair& joint : result.joints.pairs) {
+    const Index first = number[joint.bodies.first], second = number[joint.bodies.second];
+    if (first > second) joint.normal = -joint.normal;
+    joint.bodies = {std::min(first, second), std::max(first, second)};
+  }
+  std::sort(result.joints.pairs.begin(), result.joints.pairs.end(),
+            [](const JointPair& a, const JointPair& b) { return a.bodies < b.bodies; });
   return result;
 }
 
