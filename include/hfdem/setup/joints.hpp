@@ -140,9 +140,38 @@ inline void keep_clear(std::span<const NaturalFracture> fractures, Vec2 injectio
   }
 }
 
+namespace detail {
+
+/// A disc whose bonds would all be joints stays with the discs around it: the fracture passes
+/// beside it. Held by joints alone it could not turn back what pushes it along them, and would
+/// wander.
+inline void keep_discs_held(const Specimen& s, std::span<const Pair> bonds,
+                            std::vector<JointPair>& across) {
+  const auto is_across = [&](const Pair& p) {
+    const auto at = std::ranges::lower_bound(across, p, {}, &JointPair::bodies);
+    return at != across.end() && at->bodies == p;
+  };
+  std::vector<int> held(s.size(), 0);
+  for (const Pair& p : bonds)
+    if (!is_across(p)) ++held[p.first], ++held[p.second];
+  const auto has = [](const Pair& p, Index disc) { return p.first == disc || p.second == disc; };
+  std::vector<bool> joined(s.size(), false);
+  for (const Pair& p : bonds) joined[p.first] = joined[p.second] = true;
+  for (Index disc = 0; disc < s.size(); ++disc) {
+    if (held[disc] > 0 || !joined[disc]) continue;
+    for (const JointPair& j : across)
+      if (has(j.bodies, disc) && s.gap(j.bodies) <= s.bonding_gap)
+        ++held[j.bodies.first], ++held[j.bodies.second];
+    std::erase_if(across, [&](const JointPair& j) { return has(j.bodies, disc); });
+  }
+}
+
+}  // namespace detail
+
 /// Puts natural fractures into a specimen, instead of those that it had: finds the pairs of discs
 /// that they part. A pair that two fractures part belongs to the one that passes nearer to the
-/// middle of its gap; if they pass equally near, to the first.
+/// middle of its gap; if they pass equally near, to the first. A disc that only joints would hold
+/// stays with its neighbours.
 /// @param specimen gets the fractures and the pairs
 /// @param fractures in the order of their numbers
 /// @param reach largest gap of a pair, m; by default the mean radius
@@ -158,6 +187,7 @@ inline void insert_joints(Specimen& specimen, std::vector<NaturalFracture> fract
 
   const FractureTree tree(fractures);
   std::vector<JointPair> pairs;
+  std::vector<Pair> bonds;
   std::vector<Index> near;
   CellGrid(specimen, *reach).for_each_pair([&](Pair p) {
     const Vec2 a = specimen.centre[p.first], b = specimen.centre[p.second];
@@ -169,7 +199,9 @@ inline void insert_joints(Specimen& specimen, std::vector<NaturalFracture> fract
       if (next && (!best || next->off_contact < best->off_contact - rounding)) best = next;
     }
     if (best) pairs.push_back(best->pair);
+    if (specimen.gap(p) <= specimen.bonding_gap) bonds.push_back(p);
   });
+  detail::keep_discs_held(specimen, bonds, pairs);
   specimen.joints = {std::move(fractures), std::move(pairs)};
 }
 
