@@ -261,17 +261,15 @@ class Simulator {
       network_.open(contact);
     });
     const std::size_t broken = breaks_.size() - broken_before;
-    if (broken > 0) {
-      stop_if_at_rim();
-      flood_joints(wet_before);
-    }
+    if (broken > 0) stop_if_at_rim();
+    const double joined = flood_joints(wet_before);
     for (const Index i : network_.pushed_discs()) push(i);
     (tell_mechanical_step(observers, *this), ...);
     const double largest = assembly_.move(settling, threads_);
     stop_if_not_finite(largest);
     refresh_widths();
     ++(settling ? settling_steps_ : mechanical_steps_);
-    return {largest == 0 ? 0 : largest / mean_contact_force_, static_cast<int>(broken)};
+    return {largest == 0 ? 0 : largest / mean_contact_force_, static_cast<int>(broken), joined};
   }
 
   void push(Index disc) { assembly_.push(disc, network_.force_on(disc)); }
@@ -285,13 +283,19 @@ class Simulator {
   }
 
   /// Joints that fluid has just reached are as wide as they are, and filled before or not.
-  void flood_joints(std::size_t wet_before) {
+  /// @returns the volume that was not, m2
+  double flood_joints(std::size_t wet_before) {
     const bool filled = joints().contacts().law().initially() == JointContent::filled;
+    double joined = 0;
     for (const Index c : network_.wet_channels().subspan(wet_before)) {
       if (!is_joint(c)) continue;
       network_.set_width(c, width(c));
-      if (filled) network_.set_filled_width(c, network_.width(c));
+      if (filled)
+        network_.set_filled_width(c, network_.width(c));
+      else
+        joined += network_.geometry().channels[c].length * network_.width(c);
     }
+    return joined;
   }
 
   // ---- reasons to stop ------------------------------------------------------------------------

@@ -9,6 +9,7 @@ namespace hfdem {
 struct Relaxed {
   double unbalanced_ratio;  ///< largest resultant on a disc over the mean contact force
   int breaks;               ///< bonds broken in this step
+  double joined_volume;     ///< of dry joints that the fluid reached in this step, m2
 };
 
 /// Injection so far and in the present fluid step, m2 (per m of thickness).
