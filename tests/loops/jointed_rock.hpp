@@ -2,11 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/contact/jointed.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
+#include <hfdem/setup/square_array.hpp>
 #include <hfdem/simulator.hpp>
 #include <hfdem/state/specimen.hpp>
 
@@ -37,5 +39,26 @@ inline void add_fracture(hfdem::Specimen& s, hfdem::Vec2 from, hfdem::Vec2 to, d
   std::sort(s.joints.pairs.begin(), s.joints.pairs.end(),
             [](const auto& p, const auto& q) { return p.bodies < q.bodies; });
 }
+
+/// A disc under a fracture that lies lower than its neighbours, and so has no bond across.
+struct Sunk {
+  hfdem::Index column;
+  double by;  // m
+};
+
+/// A square array of 16 by 16 discs with a fracture across the way of a vertical crack that starts
+/// in the middle.
+inline hfdem::Specimen fractured_square(std::initializer_list<Sunk> sunk = {}) {
+  constexpr double radius = 5e-3;
+  hfdem::Specimen s = hfdem::square_array(16, 16, radius);
+  s.bonding_gap = 1e-6;  // a disc that has sunk keeps its bonds on both sides
+  for (const Sunk& disc : sunk) s.centre[11 * 16 + disc.column].y -= disc.by;
+  add_fracture(s, {0.03, 0.12}, {0.13, 0.12}, 1e-3);
+  return s;
+}
+
+/// Weak enough to break and slide as the crack comes near.
+inline constexpr hfdem::SmoothJoint::Params weak_joint{
+    .tensile_strength = 0, .cohesion = 1e4, .friction = 0.02, .dilation_angle = 1, .w0 = 2e-5};
 
 }  // namespace test

@@ -10,6 +10,7 @@
 #include <hfdem/measure/energy_ledger.hpp>
 #include <hfdem/mechanics/contact_range.hpp>
 #include <hfdem/mechanics/force_rows.hpp>
+#include <hfdem/mechanics/joint_contacts.hpp>
 #include <hfdem/simulator_observers.hpp>
 
 #include "laws/sample_rock.hpp"
