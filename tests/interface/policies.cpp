@@ -8,6 +8,9 @@
 #ifndef CONTACT
 #define CONTACT Law
 #endif
+#ifndef JOINT
+#define JOINT Joint
+#endif
 #ifndef APERTURE
 #define APERTURE Aperture
 #endif
@@ -20,3 +23,4 @@
 
 using namespace models;
 template class hfdem::Simulator<CONTACT, APERTURE, PRESSURE, NEIGHBOURS>;
+template class hfdem::Simulator<hfdem::Jointed<Law, JOINT>, Aperture, Scheme, Search>;
