@@ -81,7 +81,7 @@ class OneContact {
   hfdem::ContactRange<Bond> contacts_{Bond(sample_rock), 0, geometry_, stiffness_};
   hfdem::ContactRange<hfdem::SmoothPlaten> platens_{{}, hfdem::pack_width, {}, {}};
   hfdem::ForceRows forces_ = arranged();
-  hfdem::JointContacts<hfdem::NoJoint> joints_{{}, hfdem::pack_width, {}, 0, {}};
+  hfdem::JointContacts<hfdem::NoJoint> joints_{hfdem::NoJoint(), hfdem::pack_width, {}, 0, {}};
   hfdem::measure::EnergyLedger<Bond> ledger_;
   long steps_ = 0;
 };
