@@ -8,9 +8,6 @@
 #ifndef CONTACT
 #define CONTACT Law
 #endif
-#ifndef JOINT
-#define JOINT Joint
-#endif
 #ifndef APERTURE
 #define APERTURE Aperture
 #endif
@@ -22,5 +19,8 @@
 #endif
 
 using namespace models;
+#ifdef JOINT
+template class hfdem::Simulator<hfdem::Jointed<CONTACT, JOINT>, APERTURE, PRESSURE, NEIGHBOURS>;
+#else
 template class hfdem::Simulator<CONTACT, APERTURE, PRESSURE, NEIGHBOURS>;
-template class hfdem::Simulator<hfdem::Jointed<Law, JOINT>, Aperture, Scheme, Search>;
+#endif
