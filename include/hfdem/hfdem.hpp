@@ -3,6 +3,7 @@
 /// policies, and compiles faster.
 #pragma once
 
+#include <hfdem/analytic/joint_crossing.hpp>
 #include <hfdem/analytic/joint_strength.hpp>
 #include <hfdem/analytic/kgd_regime.hpp>
 #include <hfdem/analytic/plate_growth.hpp>

@@ -3,7 +3,9 @@
 #include <initializer_list>
 
 #include <hfdem/aperture/hyperbolic.hpp>
+#include <hfdem/contact/jointed.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
+#include <hfdem/contact/smooth_joint.hpp>
 #include <hfdem/contact/smooth_platen.hpp>
 #include <hfdem/contact/unbreakable.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
@@ -31,6 +33,9 @@ constexpr unsigned lacking(std::initializer_list<bool> atoms_that_hold) {
 // ---- the policies of the library --------------------------------------------------------------
 
 static_assert(ContactLaw<LinearParallelBond>);
+static_assert(JointLaw<SmoothJoint>);
+static_assert(ContactLaw<Jointed<LinearParallelBond>> && HasJoints<Jointed<LinearParallelBond>>);
+static_assert(!HasJoints<LinearParallelBond>);
 static_assert(ApertureLaw<HyperbolicAperture>);
 static_assert(PressureScheme<UniformPressure> && PressureScheme<HeldPressure>);
 static_assert(PressureScheme<Dry>);
@@ -39,6 +44,7 @@ static_assert(NeighbourSearch<FixedPairs>);
 static_assert(RespondingLaw<SmoothPlaten>, "the contact loop runs over platens too");
 static_assert(!BreakableLaw<SmoothPlaten>, "but they have no bonds");
 static_assert(!ContactLaw<HyperbolicAperture> && !ContactLaw<UniformPressure> && !ContactLaw<int>);
+static_assert(!ContactLaw<SmoothJoint> && !JointLaw<LinearParallelBond> && !JointLaw<int>);
 static_assert(!ApertureLaw<LinearParallelBond> && !ApertureLaw<Dry> && !ApertureLaw<int>);
 static_assert(!PressureScheme<HyperbolicAperture> && !PressureScheme<FixedPairs>);
 static_assert(!NeighbourSearch<Dry> && !NeighbourSearch<Specimen>);
@@ -94,6 +100,53 @@ static_assert(StoresEnergy<SmoothPlaten>, "books of energy run over platens too"
 static_assert(ContactLaw<Law> && !StoresEnergy<Law>, "no simulator needs the energy");
 static_assert(StoresEnergy<LawWithEnergy> && !StoresEnergy<LawWithThrowingEnergy>);
 static_assert(!StoresEnergy<Unbreakable<Law>>, "it stores what its law stores");
+
+// ---- joint law --------------------------------------------------------------------------------
+
+enum JointAtom : unsigned {
+  joint_params = 1,
+  joint_from_params = 2,
+  stiffness_of_length = 4,
+  joint_stiffness_record = 8,
+  joint_memory_record = 16,
+  joint_response = 32,
+  joint_springs = 64,
+  joint_failure = 128,
+  joint_broken = 256,
+  slip = 512,
+  normal_stress = 1024,
+  joint_rest_width = 2048,
+  content = 4096
+};
+
+template <class J>
+constexpr unsigned joint_lacks =
+    lacking({has_described_params<J>, constructible_from_params<J>, gives_stiffness_of_length<J>,
+             has_stiffness_record<J>, has_memory_record<J>, responds_to_motion<J>, gives_springs<J>,
+             tells_failure<J>, gives_broken_stiffness<J>, tells_slip<J>, tells_normal_stress<J>,
+             gives_rest_width<J>, tells_content<J>});
+
+template <class J, JointAtom atom>
+constexpr bool incomplete_joint = joint_lacks<J> == atom && !JointLaw<J>;
+
+static_assert(joint_lacks<Joint> == 0 && JointLaw<Joint>);
+static_assert(incomplete_joint<WithoutFields<Joint>, joint_params>);
+static_assert(incomplete_joint<MadeFromNothing<Joint>, joint_from_params>);
+static_assert(incomplete_joint<JointWithoutStiffness, stiffness_of_length>);
+static_assert(incomplete_joint<JointWithoutLength, stiffness_of_length>);
+static_assert(incomplete_joint<JointWithClosedStiffness, joint_stiffness_record>);
+static_assert(incomplete_joint<JointWithClosedMemory, joint_memory_record>);
+static_assert(incomplete_joint<JointWithoutReaction, joint_response>);
+static_assert(incomplete_joint<JointWithoutSprings, joint_springs>);
+static_assert(incomplete_joint<JointWithoutFailure, joint_failure>);
+static_assert(incomplete_joint<JointWithoutBroken, joint_broken>);
+static_assert(incomplete_joint<JointWithoutSlip, slip>);
+static_assert(incomplete_joint<JointWithoutDilation, slip>);
+static_assert(incomplete_joint<JointWithoutStress, normal_stress>);
+static_assert(incomplete_joint<JointWithoutRestWidth, joint_rest_width>);
+static_assert(incomplete_joint<JointWithoutContent, content>);
+
+static_assert(StoresEnergy<SmoothJoint> && !StoresEnergy<Joint>, "no simulator needs the energy");
 
 // ---- aperture law -----------------------------------------------------------------------------
 

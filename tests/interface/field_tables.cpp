@@ -19,8 +19,10 @@
 #include <hfdem/analytic/rock_fracture.hpp>
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/base/units.hpp>
+#include <hfdem/contact/jointed.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/contact/scattered_parallel_bond.hpp>
+#include <hfdem/contact/smooth_joint.hpp>
 #include <hfdem/measure/measurement_circle.hpp>
 #include <hfdem/measure/rock_tests.hpp>
 #include <hfdem/measure/running_crack.hpp>
@@ -50,7 +52,8 @@ using AllParams =
                measure::SlitSeries, measure::CircleGrid, measure::LoadFrame, BrazilianDisc,
                ScatteredParallelBond::Params, analytic::KgdProblem, analytic::LatticeFracture,
                analytic::OrthotropicPlane, analytic::ToughnessLaw, analytic::RockFracture,
-               measure::HeldSlits, measure::RunningRange, RandomFractures>;
+               measure::HeldSlits, measure::RunningRange, RandomFractures, SmoothJoint::Params,
+               NoJoint::Params>;
 
 /// Parameters in range: the defaults, but for descriptions of a rock, which have none.
 template <class P>
@@ -70,7 +73,8 @@ template <>
 const analytic::RockFracture sample<analytic::RockFracture>{
     .E_prime = 30e9, .K_IC = 2e6, .K_IC_above_in_situ = 2e6};
 
-using Tree = SimulatorParams<LinearParallelBond, HyperbolicAperture, UniformPressure>;
+using Tree = SimulatorParams<Jointed<LinearParallelBond>, HyperbolicAperture, UniformPressure>;
+using TreeWithoutJoints = SimulatorParams<LinearParallelBond, HyperbolicAperture, UniformPressure>;
 
 TEST_CASE("every table of fields in the headers is tested here") {
   std::size_t tables = 0;
@@ -127,12 +131,24 @@ TEST_CASE("the tree lists every section once, by its own name") {
   check_that_names_are_members<&Tree::sections>();
 }
 
-TEST_CASE("the names of a boundary kind are its enumerators") {
+TEST_CASE("joints are a section of the tree only where the contact law has some") {
+  constexpr auto whole = Tree::sections();
+  CHECK(std::get<1>(whole).name == "joints");
+  CHECK(std::tuple_size_v<decltype(TreeWithoutJoints::sections())> ==
+        std::tuple_size_v<decltype(whole)> - 1);
+  TreeWithoutJoints without;
+  for_each_section(without, [](std::string_view name, auto&) { CHECK(name != "joints"); });
+}
+
+TEST_CASE("the names of a choice are its enumerators") {
   const auto& names = names_of<BoundaryKind>;
   REQUIRE(names.size() == 3);
   CHECK(names[0] == identifier<static_cast<BoundaryKind>(0)>());
   CHECK(names[1] == identifier<static_cast<BoundaryKind>(1)>());
   CHECK(names[2] == identifier<static_cast<BoundaryKind>(2)>());
+  REQUIRE(names_of<JointContent>.size() == 2);
+  CHECK(names_of<JointContent>[0] == identifier<static_cast<JointContent>(0)>());
+  CHECK(names_of<JointContent>[1] == identifier<static_cast<JointContent>(1)>());
   // A value without a name is written as a cast.
   CHECK(identifier<static_cast<BoundaryKind>(3)>().find("BoundaryKind)3") == 0);
 }

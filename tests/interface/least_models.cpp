@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include "loops/jointed_rock.hpp"
 #include "models.hpp"
 
 using namespace models;
@@ -62,6 +63,37 @@ TEST_CASE("the least models make a simulator: pressure opens its crack") {
   CHECK(gap > 1e-6);
   CHECK(sim.network().width(sim.preset_contacts().front()) == Approx(3e-6 + gap).epsilon(1e-9));
   CHECK(sim.breaks().empty());
+}
+
+TEST_CASE("glued walls make joints: the stress presses them, the fluid tears and fills them") {
+  Specimen specimen = square_array(12, 12, 5e-3);
+  test::add_fracture(specimen, {0.02, 0.09}, {0.1, 0.09}, 1e-8);
+  Simulator<Jointed<GluedSprings, GluedWalls>, RoughWalls, PressureSteps, AllPairs> sim{
+      specimen,
+      {.joints = {.stiffness = 3.4e12, .tensile_strength = 1, .w0 = 2e-5},
+       .aperture = {.w0 = 3e-6},
+       .in_situ = {0.5e6, 0.6e6}}};
+  REQUIRE(sim.joints().bonded() == 8);
+  const auto channel = [&](std::size_t k) { return static_cast<Index>(sim.contacts().size() + k); };
+  double force = 0;  // per metre of thickness; the joints are as stiff as the rock
+  for (std::size_t k = 0; k < 8; ++k) {
+    const auto motion = sim.joints().contacts().motion(k, sim.discs().displacement);
+    CHECK(sim.reaction(channel(k)).normal == Approx(-3.4e12 * motion.opening * 0.01).epsilon(1e-9));
+    force += sim.reaction(channel(k)).normal;
+  }
+  CHECK(force == Approx(0.6e6 * 0.08).epsilon(1e-3));
+  try {
+    while (true) sim.step();
+  } catch (const ReachedRim&) {  // the end of a crack under rising pressure
+  }
+  int wet = 0;
+  for (const Index c : sim.network().wet_channels()) {
+    if (!sim.is_joint(c)) continue;
+    CHECK(sim.joints().contacts().stiffness(c - sim.contacts().size()).glue == 0);
+    CHECK(sim.network().width(c) >= 2e-5);
+    ++wet;
+  }
+  CHECK(wet > 0);
 }
 
 TEST_CASE("books of energy close for a law of one's own that says what it stores") {

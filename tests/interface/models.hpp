@@ -8,6 +8,7 @@
 
 #include "least/aperture_law.hpp"
 #include "least/contact_law.hpp"
+#include "least/joint_law.hpp"
 #include "least/neighbour_search.hpp"
 #include "least/pressure_scheme.hpp"
 
@@ -16,6 +17,7 @@ namespace models {
 using namespace hfdem;
 
 using Law = GluedSprings;
+using Joint = GluedWalls;
 using Aperture = RoughWalls;
 using Scheme = PressureSteps;
 using Search = AllPairs;
@@ -131,6 +133,99 @@ struct LawWithThrowingEnergy : Law {
   double energy(const Stiffness<double>&, const Memory<double>&, const Motion<double>&) const {
     return 0;
   }
+};
+
+// ---- joint law --------------------------------------------------------------------------------
+
+struct JointWithoutStiffness : Joint {
+  using Joint::Joint;
+  void stiffness() = delete;
+};
+
+struct JointWithoutLength : Joint {
+  using Joint::Joint;
+  void with_length() = delete;
+};
+
+struct JointWithClosedStiffness : Joint {
+  using Joint::Joint;
+  template <class T>
+  struct Stiffness : Joint::Stiffness<T> {
+    explicit Stiffness(const Joint::Stiffness<T>& k) : Joint::Stiffness<T>(k) {}
+  };
+  Stiffness<double> stiffness(double length) const noexcept {
+    return Stiffness<double>(Joint::stiffness(length));
+  }
+  Stiffness<double> with_length(const Stiffness<double>& k, double length) const noexcept {
+    return Stiffness<double>(Joint::with_length(k, length));
+  }
+  Stiffness<double> broken(const Stiffness<double>& k) const noexcept { return k; }
+};
+
+struct JointWithClosedMemory : Joint {
+  using Joint::Joint;
+  template <class T>
+  struct Memory : Joint::Memory<T> {
+    Memory(const Joint::Memory<T>&) {}
+  };
+};
+
+/// Answers otherwise than its base.
+template <template <class> class OtherResponse>
+struct JointAnswering : Joint {
+  using Joint::Joint;
+  template <class T>
+  using Response = OtherResponse<T>;
+  template <class T>
+  Response<T> respond(const Stiffness<T>& k, const Memory<T>& memory,
+                      const Motion<T>& motion) const noexcept {
+    return {Joint::respond(k, memory, motion)};
+  }
+};
+template <class T>
+struct ResponseWithoutReaction : Joint::Response<T> {
+  void reaction() = delete;
+};
+template <class T>
+struct ResponseWithoutStress : Joint::Response<T> {
+  void normal_stress() = delete;
+};
+using JointWithoutReaction = JointAnswering<ResponseWithoutReaction>;
+using JointWithoutStress = JointAnswering<ResponseWithoutStress>;
+
+struct JointWithoutSprings : Joint {
+  using Joint::Joint;
+  void springs() = delete;
+};
+
+struct JointWithoutFailure : Joint {
+  using Joint::Joint;
+  void failure() = delete;
+};
+
+struct JointWithoutBroken : Joint {
+  using Joint::Joint;
+  void broken() = delete;
+};
+
+struct JointWithoutSlip : Joint {
+  using Joint::Joint;
+  void slip() = delete;
+};
+
+struct JointWithoutDilation : Joint {
+  using Joint::Joint;
+  void dilation() = delete;
+};
+
+struct JointWithoutRestWidth : Joint {
+  using Joint::Joint;
+  void rest_width() = delete;
+};
+
+struct JointWithoutContent : Joint {
+  using Joint::Joint;
+  void initially() = delete;
 };
 
 // ---- aperture law -----------------------------------------------------------------------------

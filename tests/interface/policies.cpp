@@ -19,4 +19,8 @@
 #endif
 
 using namespace models;
+#ifdef JOINT
+template class hfdem::Simulator<hfdem::Jointed<CONTACT, JOINT>, APERTURE, PRESSURE, NEIGHBOURS>;
+#else
 template class hfdem::Simulator<CONTACT, APERTURE, PRESSURE, NEIGHBOURS>;
+#endif

@@ -10,6 +10,7 @@
 #include <hfdem/measure/energy_ledger.hpp>
 #include <hfdem/mechanics/contact_range.hpp>
 #include <hfdem/mechanics/force_rows.hpp>
+#include <hfdem/mechanics/joint_contacts.hpp>
 #include <hfdem/simulator_observers.hpp>
 
 #include "laws/sample_rock.hpp"
@@ -80,7 +81,7 @@ class OneContact {
   hfdem::ContactRange<Bond> contacts_{Bond(sample_rock), 0, geometry_, stiffness_};
   hfdem::ContactRange<hfdem::SmoothPlaten> platens_{{}, hfdem::pack_width, {}, {}};
   hfdem::ForceRows forces_ = arranged();
-  hfdem::JointContacts<hfdem::NoJoint> joints_{{}, hfdem::pack_width, {}, 0, {}};
+  hfdem::JointContacts<hfdem::NoJoint> joints_{hfdem::NoJoint(), hfdem::pack_width, {}, 0, {}};
   hfdem::measure::EnergyLedger<Bond> ledger_;
   long steps_ = 0;
 };

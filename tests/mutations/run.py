@@ -18,6 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOND = "contact/linear_parallel_bond.hpp"
 KGD, PROFILE, TIP, GENERAL, REGIME = (f"analytic/kgd{s}.hpp" for s in ("", "_profile", "_tip", "_general", "_regime"))
 LEDGER = "measure/energy_ledger.hpp"
+JOINT = "contact/smooth_joint.hpp"
 CRACK = "analytic/pressurised_crack.hpp"
 PLATE, FIELDS, SOLVER, GROWTH = (f"analytic/plate{s}.hpp" for s in ("", "_fields", "_solver", "_growth"))
 JOINTS, RANDOM_FRACTURES = "setup/joints.hpp", "setup/random_fractures.hpp"
@@ -42,7 +43,7 @@ MUTATIONS = [
     ("strain of the platens' half cells", "contact/smooth_platen.hpp", "return {2 * contact", "return {1 * contact", "physics/closed_forms"),
     ("push of the fluid", "setup/flow_domains.hpp", "-left_of(chord)", "-1.05 * left_of(chord)", "loops/flow_domains"),
     ("length of a channel", "setup/flow_domains.hpp", "length = norm(", "length = 1.05 * norm(", "loops/flow_domains"),
-    ("volume of the crack", "state/network.hpp", "width_[c] - rest_width_[c]; });", "width_[c]; });", "loops/network"),
+    ("volume of the crack", "state/network.hpp", "width_[c] - filled_width_[c]; });", "width_[c]; });", "loops/network"),
     ("volume of a domain", "state/network.hpp", "* width_[c] / 2;", "* width_[c] / 1.9;", "loops/network"),
     ("gain of the pressure", "pressure/uniform.hpp", "params_.alpha *", "1.05 * params_.alpha *", "schemes/uniform_pressure"),
     ("injected volume", "simulator.hpp", "rate_ * dt;", "1.05 * rate_ * dt;", "schemes/balances"),
@@ -164,10 +165,11 @@ MUTATIONS = [
     ("saved state without contact forces", "mechanics/force_rows.hpp", "archive(std::span(rows_));", ";", "schemes/saved_state"),
     ("saved state without stress", "mechanics/loading.hpp", "archive(stress_, ", "archive(", "schemes/saved_state"),
     ("saved state without dead loads", "mechanics/loading.hpp", "archive(stress_, std::span(dead_load_), ", "archive(stress_, ", "schemes/saved_state"),
-    ("saved state without apertures", "state/network.hpp", "archive(std::span(width_), ", "archive(", "schemes/saved_state"),
+    ("saved state without apertures", "state/network.hpp", "std::span(width_), std::span(pressure_)", "std::span(pressure_)", "schemes/saved_state"),
+    ("saved state without what joints were filled with", "state/network.hpp", "archive(std::span(filled_width_), ", "archive(", "schemes/saved_state"),
     ("saved state without pressures", "state/network.hpp", "std::span(pressure_), open_", "open_", "schemes/saved_state"),
     ("saved state without channels that wait", "state/network.hpp", "std::span(pressure_), open_,", "std::span(pressure_),", "schemes/saved_state"),
-    ("saved state without discs beside fluid", "state/network.hpp", " pushed_disc_,\n", " \n", "schemes/saved_state"),
+    ("saved state without discs beside fluid", "state/network.hpp", "pushed_disc_, wet_channels_", "wet_channels_", "schemes/saved_state"),
     ("saved state without fluid at the rim", "state/network.hpp", "pushed_discs_, reached_rim_);", "pushed_discs_);", "schemes/saved_state"),
     ("saved state without held pressure", "pressure/held.hpp", "archive(params_.pressure);", ";", "schemes/saved_state"),
     ("saved state without scheme", "simulator.hpp", "archive(assembly_, pressure_, ", "archive(assembly_, ", "schemes/saved_state"),
@@ -186,8 +188,8 @@ MUTATIONS = [
     ("stress on the ends", "measure/rock_tests.hpp", "           (2 * specimen.width);\n  });\n}\n\n/// Pulls", "           (2.1 * specimen.width);\n  });\n}\n\n/// Pulls", "measures/rock_tests"),
     ("pull of the grips", "measure/rock_tests.hpp", "(pull(below) - pull(above)) / (2 *", "(pull(below) - pull(above)) / (2.1 *", "measures/rock_tests"),
     ("speed of the grips", "measure/rock_tests.hpp", "(lowest - highest) / 2", "(lowest - highest) / 1.9", "measures/rock_tests"),
-    ("confinement", "measure/rock_tests.hpp", "rock_.set_stress({stress, stress});", "rock_.set_stress({1.05 * stress, stress});", "measures/rock_tests"),
-    ("grains that grips hold", "measure/rock_tests.hpp", "binary_search(discs.begin(), discs.end()", "binary_search(discs.begin(), discs.begin()", "measures/rock_tests"),
+    ("confinement", "measure/load_frame.hpp", "rock_.set_stress({stress, stress});", "rock_.set_stress({1.05 * stress, stress});", "measures/rock_tests"),
+    ("grains that grips hold", "measure/load_frame.hpp", "binary_search(discs.begin(), discs.end()", "binary_search(discs.begin(), discs.begin()", "measures/rock_tests"),
     ("Brazilian tension", "setup/brazilian_disc.hpp", "- a) / std::sin(a)", "- a) / a", "measures/rock_tests"),
     ("width of the flats", "setup/brazilian_disc.hpp", "(beside_flat && at_platen)", "false", "measures/rock_tests"),
     ("Coulomb line's angle", "measure/mohr_coulomb.hpp", "(K + 1)) * 180", "(K + 1.1)) * 180", "measures/rock_tests"),
@@ -205,6 +207,26 @@ MUTATIONS = [
     ("joints of a renumbered specimen", "setup/space_filling_curve.hpp", "if (first > second) joint", "if (first < second) joint", "specimens/joints"),
     ("spacing of random fractures", RANDOM_FRACTURES, "d < p.spacing", "d < 0.95 * p.spacing", "specimens/random_fractures"),
     ("second family of fractures", RANDOM_FRACTURES, "angle = 180 - angle", "angle = 90 + angle", "specimens/random_fractures"),
+    ("stiffness across a joint", JOINT, "const T trial = params_", "const T trial = 1.05 * params_", "laws/smooth_joint"),
+    ("stiffness along a joint", JOINT, "const T elastic = params_", "const T elastic = 1.05 * params_", "laws/smooth_joint"),
+    ("friction of a joint", JOINT, "abs(elastic) - params_.friction", "abs(elastic) - 1.05 * params_.friction", "laws/smooth_joint"),
+    ("friction under the rise of a joint", JOINT, "p.normal_stiffness * rise_)", "p.normal_stiffness * 0.95 * rise_)", "laws/smooth_joint"),
+    ("rise of an open joint", JOINT, "trial > zero ? T(rise_ * slip) : zero", "T(rise_ * slip)", "laws/smooth_joint"),
+    ("cohesion of a joint", JOINT, "params_.cohesion + ", "1.05 * params_.cohesion + ", "laws/smooth_joint"),
+    ("tensile strength of a joint", JOINT, "> params_.tensile", "> 1.05 * params_.tensile", "laws/smooth_joint"),
+    ("energy of a joint", JOINT, "0.5 * k.length", "0.525 * k.length", "laws/smooth_joint"),
+    ("share of a joint contact", "mechanics/joint_contacts.hpp", "0.5 * (pairs_[last]", "0.45 * (pairs_[last]", "loops/joint_contacts"),
+    ("meeting across a joint", "mechanics/joint_contacts.hpp", "> bonding_gap_) continue", "> 1.05 * bonding_gap_) continue", "loops/joint_contacts"),
+    ("dry joint", "state/network.hpp", "filled_width_[channel] = 0;", "filled_width_[channel] = width;", "schemes/joints"),
+    ("filled joint", "simulator.hpp", "if (filled) network_", "if (!filled) network_", "schemes/joints"),
+    ("width of a joint that fluid reaches", "simulator.hpp", "network_.set_width(c, width(c));\n      if", "if", "schemes/joints"),
+    ("rise in the width of a joint", "simulator.hpp", "rest_width(channel) + o.dilation", "rest_width(channel)", "schemes/joints"),
+    ("stress on the channel of a joint", "assembly.hpp", "max(0.0, stress * width)", "max(0.0, 1.05 * stress * width)", "schemes/joints"),
+    ("half empty joints", "pressure/uniform.hpp", "injection_domain()) <= 0", "injection_domain()) < 0", "schemes/uniform_pressure"),
+    ("saved state without meetings across joints", "mechanics/joint_contacts.hpp", "archive(met_, range_)", "archive(range_)", "schemes/saved_state"),
+    ("slip of a joint as it breaks", LEDGER, "slip = law.respond(k, slip_before, from).memory;", "", "measures/joint_books"),
+    ("gap of a joint that has risen", LEDGER, "motion.opening - law.dilation(memory)", "motion.opening", "measures/joint_books"),
+    ("place of a joint's force in the stress", "measure/particle_stress.hpp", "= sim.joints().crossing(k)", "= discs.centre[first]", "measures/joint_books"),
 ]
 
 FLAGS = "-std=c++20 -O1 -w -ffp-contract=off -I/usr/include/eigen3".split()

@@ -12,7 +12,8 @@
 #include <doctest/doctest.h>
 
 #include "interface/least/pressure_scheme.hpp"
-#include "laws/near.hpp"
+#include "loops/jointed_rock.hpp"
+#include "schemes/run_state.hpp"
 #include "schemes/small_array.hpp"
 
 namespace {
@@ -21,52 +22,9 @@ using hfdem::BoundaryKind;
 using hfdem::Loader;
 using hfdem::Saver;
 
-using Words = std::vector<std::uint64_t>;
-
-void put(Words& words, double value) { words.push_back(test::bits(value)); }
-void put(Words& words, hfdem::Vec2 v) { put(words, v.x), put(words, v.y); }
-void put(Words& words, const hfdem::Pack& row) {
-  for (std::size_t lane = 0; lane < 4; ++lane) put(words, row[lane]);
-}
-
-/// All that can be read of a run and changes, as bits; through its own functions, not the archive.
-template <class Sim>
-Words state(const Sim& sim) {
-  Words words;
-  for (const hfdem::Pack& row : sim.discs().displacement) put(words, row);
-  for (const hfdem::Pack& row : sim.discs().velocity) put(words, row);
-  for (const hfdem::Vec2 load : sim.discs().load) put(words, load);
-  for (const hfdem::Pack& row : sim.forces().rows()) put(words, row);
-  for (std::size_t c = 0; c < sim.contacts().size(); ++c) {
-    const auto k = sim.contacts().stiffness(c);
-    for (const double v : {k.normal, k.bond, k.bond_radius}) put(words, v);
-    put(words, sim.contacts().memory(c).shear_offset);
-  }
-  const hfdem::Network& network = sim.network();
-  for (hfdem::Index c = 0; c < sim.contacts().size(); ++c) {
-    put(words, network.width(c));
-    words.push_back(network.is_open(c) ? 1 : 0);
-    words.push_back(network.is_wet(c) ? 1 : 0);
-  }
-  for (const double p : network.pressures()) put(words, p);
-  for (const auto list : {network.wet_channels(), network.wet_domains(), network.pushed_discs()})
-    words.insert(words.end(), list.begin(), list.end());
-  words.push_back(network.reached_rim() ? 1 : 0);
-  for (const auto& b : sim.breaks()) {
-    put(words, b.time);
-    put(words, b.pressure);
-    words.push_back(b.contact);
-    words.push_back(static_cast<std::uint64_t>(b.mode));
-  }
-  put(words, sim.loading().stress().xx);
-  put(words, sim.loading().stress().yy);
-  for (hfdem::Index i = 0; i < sim.discs().size(); ++i) put(words, sim.loading().dead_load(i));
-  for (const double v : {sim.time(), sim.injected_volume(), sim.mean_contact_force()})
-    put(words, v);
-  for (const long count : {sim.mechanical_steps(), sim.settling_steps(), sim.fluid_steps()})
-    words.push_back(static_cast<std::uint64_t>(count));
-  return words;
-}
+using test::put;
+using test::state;
+using test::Words;
 
 /// Steps, and every answer of a step.
 template <class Sim>
@@ -97,9 +55,8 @@ using Event = std::function<void(Sim&)>;
 /// what was taken up can be saved, too.
 /// @returns how many bonds have broken since it was first saved
 template <class Sim>
-std::size_t check_taken_up(const typename Sim::Params& params, int before, int after,
-                           int threads = 1, const Event<Sim>& event = {}, int size = 16) {
-  const hfdem::Specimen specimen = test::square(size);
+std::size_t check_taken_up(const hfdem::Specimen& specimen, const typename Sim::Params& params,
+                           int before, int after, int threads = 1, const Event<Sim>& event = {}) {
   Sim whole(specimen, params);
   steps(whole, before);
   if (event) event(whole);
@@ -118,6 +75,13 @@ std::size_t check_taken_up(const typename Sim::Params& params, int before, int a
     pieces.use_threads(threads);
   }
   return whole.breaks().size() - broken;
+}
+
+/// The same on a square array.
+template <class Sim>
+std::size_t check_taken_up(const typename Sim::Params& params, int before, int after,
+                           int threads = 1, const Event<Sim>& event = {}, int size = 16) {
+  return check_taken_up<Sim>(test::square(size), params, before, after, threads, event);
 }
 
 template <class Pressure>
@@ -165,6 +129,36 @@ TEST_CASE("runs without fluid, and with a scheme of one's own") {
     sim.set_in_situ({9e6, 13e6});
   });
   check_taken_up<Rock<models::PressureSteps>>({}, 5, 5);
+}
+
+TEST_CASE("joints that break, slip and meet go on where they were") {
+  using Sim = test::Fractured<hfdem::UniformPressure>;
+  // Two pairs meet while the stress settles, one does during the run, one never.
+  const hfdem::Specimen specimen =
+      test::fractured_square({{4, 4.2e-5}, {6, 5.25e-5}, {9, 5.3e-5}, {11, 1e-4}});
+  for (const auto initially : {hfdem::JointContent::dry, hfdem::JointContent::filled}) {
+    Sim::Params params{.joints = test::weak_joint, .injection = {.rate = 1e-3}};
+    params.joints.initially = initially;
+    const auto met = [](const Sim& sim) {
+      int count = 0;
+      for (std::size_t k = sim.joints().bonded(); k < sim.joints().size(); ++k)
+        count += sim.joints().has_met(k);
+      return count;
+    };
+    std::vector<int> met_before, broken_before;
+    bool slipped = false;
+    const Event<Sim> look = [&](const Sim& sim) {
+      met_before.push_back(met(sim));
+      broken_before.push_back(0);
+      for (const auto& b : sim.breaks()) broken_before.back() += sim.is_joint(b.contact);
+      for (std::size_t k = 0; k < sim.joints().size(); ++k)
+        slipped = slipped || sim.joints().contacts().memory(k).slip != 0;
+    };
+    for (const int before : {0, 3, 9}) check_taken_up<Sim>(specimen, params, before, 4, 2, look);
+    CHECK(met_before == std::vector<int>{2, 3, 3});
+    CHECK(broken_before == std::vector<int>{0, 1, 4});
+    CHECK(slipped);
+  }
 }
 
 TEST_CASE("a network that waits for fluid, or has lost it at the rim, remembers that") {

@@ -134,6 +134,31 @@ TEST_CASE("at equilibrium both volume and forces must be balanced") {
   }
 }
 
+TEST_CASE(
+    "a half empty crack is at equilibrium once its forces are, by the rule of equilibrium alone") {
+  constexpr double volume = 1e-6;
+  for (const bool equilibrium : {true, false}) {
+    CAPTURE(equilibrium);
+    // It holds more than was injected even without pressure.
+    MockCrack crack{.width_at_rest = 1.5 * MockCrack::w0, .unbalanced_ratio = 1};
+    UniformPressure scheme({.equilibrium = equilibrium});
+    crack.on_relax = [&] {
+      if (crack.steps() == 5) crack.unbalanced_ratio = 0.9e-3;
+    };
+    const FluidStep step = advance(scheme, crack, volume);
+    CHECK(step.converged == equilibrium);
+    CHECK(step.mechanical_steps == (equilibrium ? 5 : 10));
+    CHECK(crack.network.pressure(crack.network.injection_domain()) == 0);
+    CHECK(step.volume_error > 1);
+
+    // What a pressure of more than nothing could still even out is no equilibrium.
+    MockCrack pressed{.width_at_rest = 1.5 * MockCrack::w0, .compliance = 0};
+    pressed.network.set_pressure(pressed.network.injection_domain(), 1e7);
+    UniformPressure slow({.alpha = 1e3, .equilibrium = equilibrium, .max_mechanical_steps = 3});
+    CHECK_FALSE(advance(slow, pressed, volume).converged);
+  }
+}
+
 TEST_CASE("what one step leaves unmet, the next one makes up for") {
   UniformPressure scheme({.alpha = 2e5, .max_pressure_step = 1e12});
   constexpr double volume = 1e-5;

@@ -198,15 +198,19 @@ class EnergyLedger {
   }
 
   /// A contact whose bond broke in this step is taken as broken since its beginning, but for the
-  /// energy stored then.
+  /// energy stored then: what only the bond kept from slipping has slipped by then, too.
   template <class ThisLaw>
   void book_contacts(const ThisLaw& law, std::span<const ContactInstant<ThisLaw>> before,
                      std::span<const ContactInstant<ThisLaw>> now) {
     for (std::size_t c = 0; c < now.size(); ++c) {
-      const auto& [from, earlier, slip, stored] = before[c];
+      const auto& [from, earlier, slip_before, stored] = before[c];
       const auto& [to, k, new_slip, stores] = now[c];
       entries_.elastic += stores - stored;
-      if (differ(earlier, k)) book_change(law, before[c], now[c]);
+      auto slip = slip_before;
+      if (differ(earlier, k)) {
+        slip = law.respond(k, slip_before, from).memory;
+        book_change(law, before[c], now[c], slip);
+      }
       // What a change of memory alone takes from the energy: the mean of before and after motion.
       if (differ(slip, new_slip))
         entries_.friction += 0.5 * (law.energy(k, slip, from) - law.energy(k, new_slip, from) +
@@ -230,14 +234,14 @@ class EnergyLedger {
 
   /// A bond gives up what it stored, less what its last force still did while it fell to zero
   /// during the step. So does what one joint contact leaves to another.
-  template <class ThisLaw>
+  template <class ThisLaw, class Memory>
   void book_change(const ThisLaw& law, const ContactInstant<ThisLaw>& earlier,
-                   const ContactInstant<ThisLaw>& now) {
+                   const ContactInstant<ThisLaw>& now, const Memory& slip) {
     const auto& [from, whole, memory, stored] = earlier;
     const auto& [to, rest, new_memory, stores] = now;
     const Reaction<double> before = law.respond(whole, memory, from).reaction();
-    const Reaction<double> after = law.respond(rest, memory, from).reaction();
-    entries_.breaks += stored - law.energy(rest, memory, from) -
+    const Reaction<double> after = law.respond(rest, slip, from).reaction();
+    entries_.breaks += stored - law.energy(rest, slip, from) -
                        0.5 * ((before.normal - after.normal) * (to.opening - from.opening) +
                               (before.shear - after.shear) * (to.shear - from.shear) -
                               (before.moment - after.moment) * (to.rotation - from.rotation));

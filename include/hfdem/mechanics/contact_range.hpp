@@ -14,9 +14,8 @@
 
 #include <hfdem/base/pack.hpp>
 #include <hfdem/base/parallel.hpp>
-#include <hfdem/state/concepts.hpp>
 #include <hfdem/state/contact.hpp>
-#include <hfdem/state/discs.hpp>
+#include <hfdem/state/law_concepts.hpp>
 
 namespace hfdem {
 

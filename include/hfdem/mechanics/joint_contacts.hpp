@@ -18,7 +18,8 @@
 
 #include <hfdem/base/fields.hpp>
 #include <hfdem/mechanics/contact_range.hpp>
-#include <hfdem/setup/bonding.hpp>
+#include <hfdem/state/contact.hpp>
+#include <hfdem/state/discs.hpp>
 #include <hfdem/state/specimen.hpp>
 
 namespace hfdem {
