@@ -142,27 +142,45 @@ inline void keep_clear(std::span<const NaturalFracture> fractures, Vec2 injectio
 
 namespace detail {
 
-/// A disc whose bonds would all be joints stays with the discs around it: the fracture passes
-/// beside it. Held by joints alone it could not turn back what pushes it along them, and would
-/// wander.
-inline void keep_discs_held(const Specimen& s, std::span<const Pair> bonds,
-                            std::vector<JointPair>& across) {
-  const auto is_across = [&](const Pair& p) {
+/// A disc that would hang on its own side by one bond or none changes sides: the fracture passes on
+/// its other side. Once that bond broke, joints alone would hold it, which cannot turn back what
+/// pushes it along them, and it would wander.
+/// @param s gives the centres
+/// @param fractures that part the pairs
+/// @param bonds all pairs that bond
+/// @param across pairs with a fracture between them, sorted; changed to what holds then
+inline void change_sides(const Specimen& s, std::span<const NaturalFracture> fractures,
+                         std::span<const Pair> bonds, std::vector<JointPair>& across) {
+  std::vector<std::vector<Pair>> bonds_of(s.size());
+  for (const Pair& p : bonds) bonds_of[p.first].push_back(p), bonds_of[p.second].push_back(p);
+  const auto joint_of = [&](const Pair& p) {
     const auto at = std::ranges::lower_bound(across, p, {}, &JointPair::bodies);
-    return at != across.end() && at->bodies == p;
+    return at != across.end() && at->bodies == p ? &*at : nullptr;
   };
-  std::vector<int> held(s.size(), 0);
-  for (const Pair& p : bonds)
-    if (!is_across(p)) ++held[p.first], ++held[p.second];
-  const auto has = [](const Pair& p, Index disc) { return p.first == disc || p.second == disc; };
-  std::vector<bool> joined(s.size(), false);
-  for (const Pair& p : bonds) joined[p.first] = joined[p.second] = true;
   for (Index disc = 0; disc < s.size(); ++disc) {
-    if (held[disc] > 0 || !joined[disc]) continue;
-    for (const JointPair& j : across)
-      if (has(j.bodies, disc) && s.gap(j.bodies) <= s.bonding_gap)
-        ++held[j.bodies.first], ++held[j.bodies.second];
-    std::erase_if(across, [&](const JointPair& j) { return has(j.bodies, disc); });
+    std::vector<Pair> own;
+    const JointPair* joint = nullptr;
+    for (const Pair& p : bonds_of[disc])
+      if (const JointPair* j = joint_of(p))
+        joint = j;
+      else
+        own.push_back(p);
+    if (joint == nullptr || own.size() > 1 || bonds_of[disc].size() <= 2 * own.size()) continue;
+    const NaturalFracture& f = fractures[joint->fracture];
+    std::vector<JointPair> added;
+    for (const Pair& p : own) {
+      const double along =
+          dot(0.5 * (s.centre[p.first] + s.centre[p.second]) - f.from, f.direction());
+      // Across from where the disc is now.
+      const bool same_end = (p.first == disc) == (joint->bodies.first == disc);
+      if (along > 0 && along < f.length())
+        added.push_back({p, joint->fracture, along, same_end ? -joint->normal : joint->normal});
+    }
+    std::erase_if(across, [&](const JointPair& j) {
+      return j.bodies.first == disc || j.bodies.second == disc;
+    });
+    across.insert(across.end(), added.begin(), added.end());
+    std::ranges::sort(across, {}, &JointPair::bodies);
   }
 }
 
@@ -170,8 +188,8 @@ inline void keep_discs_held(const Specimen& s, std::span<const Pair> bonds,
 
 /// Puts natural fractures into a specimen, instead of those that it had: finds the pairs of discs
 /// that they part. A pair that two fractures part belongs to the one that passes nearer to the
-/// middle of its gap; if they pass equally near, to the first. A disc that only joints would hold
-/// stays with its neighbours.
+/// middle of its gap; if they pass equally near, to the first. A disc that hardly anything
+/// else would hold changes sides.
 /// @param specimen gets the fractures and the pairs
 /// @param fractures in the order of their numbers
 /// @param reach largest gap of a pair, m; by default the mean radius
@@ -201,7 +219,7 @@ inline void insert_joints(Specimen& specimen, std::vector<NaturalFracture> fract
     if (best) pairs.push_back(best->pair);
     if (specimen.gap(p) <= specimen.bonding_gap) bonds.push_back(p);
   });
-  detail::keep_discs_held(specimen, bonds, pairs);
+  detail::change_sides(specimen, fractures, bonds, pairs);
   specimen.joints = {std::move(fractures), std::move(pairs)};
 }
 
