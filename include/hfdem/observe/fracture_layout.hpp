@@ -83,14 +83,16 @@ struct FractureLayout {
   }
 
  private:
-  /// The connected microcracks, and all in natural fractures, with some air, no thinner than half
-  /// as wide as long.
+  /// The connected microcracks and the natural fractures with some air, no thinner than half as
+  /// wide as long.
   static Pixel zoom(const FractureMap& map, double Vec2::*axis) {
     const auto extent = [&](double Vec2::*along) {
       Range range{map.origin.position.*along, map.origin.position.*along};
       for (const auto& m : map.microcracks)
-        if (m.connected || m.in_joint)
+        if (m.connected)
           for (const Vec2 end : {m.facet.from, m.facet.to}) include(range, end.*along);
+      for (const NaturalFracture& f : map.natural)
+        for (const Vec2 end : {f.from, f.to}) include(range, end.*along);
       return range;
     };
     const Range x = extent(&Vec2::x), y = extent(&Vec2::y);
