@@ -203,6 +203,9 @@ MUTATIONS = [
     ("contact point of unequal discs", JOINTS, "(distance + s.radius[p.first] - s.radius[p.second]) / 2", "distance / 2", "specimens/joints"),
     ("exact side of a line", "base/side_of_line.hpp", "rounding = 3.4e-16", "rounding = 0", "specimens/joints"),
     ("joints of a renumbered specimen", "setup/space_filling_curve.hpp", "if (first > second) joint", "if (first < second) joint", "specimens/joints"),
+    ("mean slip of fractures", "measure/natural_fractures.hpp", "(slip * broken_length +", "(1.05 * slip * broken_length +", "measures/natural_fractures"),
+    ("sides pressed together", "measure/natural_fractures.hpp", "std::fmax(0, contacts", "std::fmax(-1, contacts", "measures/natural_fractures"),
+    ("sign of slip", "measure/natural_fractures.hpp", "std::abs(contacts", "+(contacts", "measures/natural_fractures"),
     ("spacing of random fractures", RANDOM_FRACTURES, "d < p.spacing", "d < 0.95 * p.spacing", "specimens/random_fractures"),
     ("second family of fractures", RANDOM_FRACTURES, "angle = 180 - angle", "angle = 90 + angle", "specimens/random_fractures"),
 ]
