@@ -16,6 +16,8 @@ using test::near;
 
 namespace {
 
+BondBreak broken_bond(Index contact) { return {0, contact, Mode::shear, 0}; }
+
 /// Ten contacts in rock and four joints: three in the first fracture, one in the second.
 struct MadeUpRun {
   struct Law {
@@ -44,7 +46,7 @@ struct MadeUpRun {
     int displacement = 0;
   };
   Joints made;
-  std::vector<BondBreak> broken{{.contact = 2}, {.contact = 11}, {.contact = 10}};
+  std::vector<BondBreak> broken{broken_bond(2), broken_bond(11), broken_bond(10)};
 
   const Joints& joints() const { return made; }
   const Contacts& contacts() const { return made.range; }
@@ -74,7 +76,7 @@ TEST_CASE("slip and opening are means over the broken length, closed joints do n
 
 TEST_CASE("all fractures together are as long as each, and their means weigh by broken length") {
   MadeUpRun run;
-  run.broken.push_back({.contact = 13});
+  run.broken.push_back(broken_bond(13));
   const auto sum = measure::total(measure::fracture_activity(run));
   CHECK(sum.broken == 3);
   CHECK(sum.connected == 1);
