@@ -15,12 +15,12 @@
 
 #include "support/checkpoint.hpp"
 #include "support/command_line.hpp"
-#include "support/intact_figures.hpp"
-#include "support/intact_recorder.hpp"
 #include "support/interrupts.hpp"
 #include "support/manifest.hpp"
 #include "support/polite_threads.hpp"
 #include "support/progress.hpp"
+#include "support/rock_figures.hpp"
+#include "support/rock_recorder.hpp"
 #include "support/sensitivity_results.hpp"
 
 using namespace hfdem;
@@ -32,7 +32,7 @@ namespace {
 std::optional<std::vector<double>> readings_of(const IntactConfig& config, int threads,
                                                const std::vector<RockReading>& readings) {
   std::ostringstream history;
-  IntactRecorder recorder(config, history);
+  RockRecorder recorder(config, history);
   std::optional<Rock> sim;
   bool whole = true;
   const RunEnd end = end_of(sim, [&] {
@@ -44,7 +44,7 @@ std::optional<std::vector<double>> readings_of(const IntactConfig& config, int t
   });
   if (!whole) return {};
   if (!end.stopped.empty()) return std::vector<double>(readings.size(), NAN);
-  const IntactOutcome outcome = recorder.outcome(*sim, end);
+  const RockOutcome outcome = recorder.outcome(*sim, end);
   std::vector<double> values;
   for (const RockReading& r : readings) values.push_back(r.read(outcome, recorder.growth()));
   return values;

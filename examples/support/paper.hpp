@@ -31,6 +31,13 @@ struct Intact {
   static constexpr double kgd_aperture = 10.40e-5;  ///< m, as printed
 };
 
+/// Section 4.2, Table 5: carbon dioxide in fractured rock, case N2-S2, one random specimen with 18
+/// fractures that are drawn, not listed.
+struct Fractured {
+  static constexpr int joint_microcracks = 168;
+  static constexpr int connected_joint_microcracks = 117;
+};
+
 /// Table 2: what the paper's rock tests of its random specimen came to.
 struct Rock {
   static constexpr double E = 29.1e9;                ///< Pa

@@ -9,35 +9,63 @@
 
 #include <hfdem/observe/growth.hpp>
 
-#include "support/intact_outcome.hpp"
 #include "support/paper.hpp"
+#include "support/rock_outcome.hpp"
 
 namespace hfdem::support {
 
 /// A number that is read from every run.
 struct RockReading {
   std::string key, name, unit;  ///< in summary.json; in words; SI
-  std::function<double(const IntactOutcome&, const observe::Growth&)> read;
-  double paper = NAN;  ///< of case 2-S1
+  std::function<double(const RockOutcome&, const observe::Growth&)> read;
+  double paper = NAN;  ///< where the run may stand beside it
 };
 
 /// At a time, if the crack was still inside the specimen then.
 template <class F>
 auto inside_at(double time, F&& value) {
-  return [time, value](const IntactOutcome& o, const observe::Growth& growth) {
+  return [time, value](const RockOutcome& o, const observe::Growth& growth) {
     const auto* then = growth.at(time);
     return then == nullptr || o.end.time * (1 + 1e-9) < time ? NAN : value(*then);
   };
 }
 
+/// A microcrack count of the end, as a reading.
+template <class F>
+RockReading count_reading(const std::string& key, const std::string& name, F&& count,
+                          double paper = NAN) {
+  return {"microcracks/" + key, name, "",
+          [count](const RockOutcome& o, const auto&) { return static_cast<double>(count(o)); },
+          paper};
+}
+
+/// Table 5 of the paper.
+inline std::vector<RockReading> joint_readings(bool beside_paper) {
+  using paper::Fractured;
+  return {count_reading("rock", "microcracks in rock",
+                        [](const RockOutcome& o) {
+                          return o.count.total() - o.preset() - o.in_joints.total();
+                        }),
+          count_reading(
+              "joints", "microcracks in joints",
+              [](const RockOutcome& o) { return o.in_joints.total(); },
+              beside_paper ? Fractured::joint_microcracks : NAN),
+          count_reading(
+              "connected_joints", "of which connected",
+              [](const RockOutcome& o) { return o.in_joints.connected.total(); },
+              beside_paper ? Fractured::connected_joint_microcracks : NAN)};
+}
+
 /// What is read of every run; not a number where a run has none.
-inline std::vector<RockReading> rock_readings() {
+template <class Config>
+std::vector<RockReading> rock_readings(const Config& config, bool with_joints) {
   using paper::Intact;
+  const auto S1 = [&](double value) { return config.is_paper_case_S1() ? value : NAN; };
   std::vector<RockReading> all{
       {"first_break_pressure_Pa", "first break", "Pa",
        [](const auto& o, const auto&) { return o.first_break; }},
       {"breakdown_pressure_Pa", "breakdown", "Pa",
-       [](const auto& o, const auto&) { return o.breakdown; }, Intact::breakdown_S1},
+       [](const auto& o, const auto&) { return o.breakdown; }, S1(Intact::breakdown_S1)},
       {"propagation_pressure_Pa", "propagation", "Pa",
        [](const auto& o, const auto&) { return o.propagation; }},
       {"reached_rim_at_s", "reached the rim", "s",
@@ -49,7 +77,7 @@ inline std::vector<RockReading> rock_readings() {
                          double observe::GrowthInstant::*value, double paper) {
       all.push_back({at + key, name + when, unit,
                      inside_at(time, [value](const auto& i) { return i.*value; }),
-                     published ? paper : NAN});
+                     published ? S1(paper) : NAN});
     };
     using observe::GrowthInstant;
     add("tip_distance_m", "tips", "m", &GrowthInstant::tip_distance, Intact::tip_distance);
@@ -58,6 +86,8 @@ inline std::vector<RockReading> rock_readings() {
     add("tortuosity", "tortuosity", "", &GrowthInstant::tortuosity, Intact::tortuosity);
     add("mean_aperture_m", "aperture", "m", &GrowthInstant::aperture, Intact::aperture);
   }
+  if (with_joints)
+    for (const RockReading& r : joint_readings(config.is_paper_case_N2_S2())) all.push_back(r);
   return all;
 }
 

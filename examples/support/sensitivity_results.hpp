@@ -47,7 +47,7 @@ inline std::vector<Variation> usual_variations() {
 inline std::vector<RockReading> sensitivity_readings() {
   using observe::GrowthInstant;
   const auto last = [](double time, double GrowthInstant::*value) {
-    return [time, value](const IntactOutcome& o, const observe::Growth& growth) {
+    return [time, value](const RockOutcome& o, const observe::Growth& growth) {
       const auto* then = growth.at(time);
       return then == nullptr || o.end.time < time ? o.end.*value : then->*value;
     };

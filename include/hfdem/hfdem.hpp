@@ -21,6 +21,7 @@
 #include <hfdem/measure/energy_ledger.hpp>
 #include <hfdem/measure/joint_test.hpp>
 #include <hfdem/measure/mohr_coulomb.hpp>
+#include <hfdem/measure/natural_fractures.hpp>
 #include <hfdem/measure/particle_stress.hpp>
 #include <hfdem/measure/path_profile.hpp>
 #include <hfdem/measure/rock_tests.hpp>

@@ -79,6 +79,27 @@ TEST_CASE("the map draws each kind of microcrack in its colour, close up and in 
     CHECK(occurrences(svg, word) >= 1);
 }
 
+TEST_CASE("with natural fractures the map has the colours of the paper's Figs. 14 and 15") {
+  auto map = branched();
+  map.natural = {{{0.2, 0.1}, {0.4, 0.2}}, {{0.6, 0.8}, {0.7, 0.9}}};
+  for (const std::size_t m : {2, 7, 9, 10}) map.microcracks[m].in_joint = true;
+  const std::string svg = observe::svg(map);
+  CHECK(strokes(svg, observe::okabe_ito::green) == 2 * 2);
+  CHECK(strokes(svg, observe::okabe_ito::black) == 2 * (6 + 1));  // path and branch in rock
+  CHECK(strokes(svg, observe::okabe_ito::blue) == 2 * 2);
+  CHECK(strokes(svg, drawing::crack_red) == 2 * 2);
+  CHECK(strokes(svg, observe::okabe_ito::purple) == 2 * 1);
+  for (const char* word : {"natural fractures", "joint microcracks, connected",
+                           "joint microcracks, unconnected", "unconnected microcracks"})
+    CHECK(occurrences(svg, word) >= 1);
+  CHECK(observe::caption(map).find(
+            " In the 2 natural fractures: 4 of the microcracks, 2 of them connected.") !=
+        std::string::npos);
+  // All of the natural fractures are in the close view, 6 % of 0.8 m around them.
+  const drawing::FractureLayout layout(map, observe::Medium::file);
+  CHECK(layout.close.from_bottom == near(0.1 - 0.048));
+}
+
 TEST_CASE("the map is zoomed to the crack, and its dashed line runs from tip to tip") {
   const auto map = branched();
   const drawing::FractureLayout layout(map, observe::Medium::file);

@@ -17,6 +17,7 @@ import unittest
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 KGD, TOUGHNESS, INTACT = PROGRAMS / "kgd", PROGRAMS / "toughness", PROGRAMS / "intact"
+FRACTURED = PROGRAMS / "fractured"
 SMALL_ROCK = ("--quick", "--set", "specimen.width=0.12", "--set", "specimen.height=0.12",
               "--set", "specimen.grains=250", "--set", "run.end_time=0.02",
               "--set", "run.snapshot_interval=0.002")
@@ -111,6 +112,12 @@ class CheckpointTest(unittest.TestCase):
 
     def test_a_random_rock_killed_at_twenty_moments_gives_the_same_bytes(self):
         self.check_killed(20, *SMALL_ROCK, "--set", "run.energy=true", program=INTACT)
+
+    def test_a_fractured_rock_goes_on_with_its_own_fractures(self):
+        fractures = self.path("mine.csv")
+        fractures.write_text("x1_m,y1_m,x2_m,y2_m\n0.02,0.08,0.055,0.1\n0.07,0.02,0.1,0.035\n")
+        # Without the file that they came from.
+        self.check_killed(4, *SMALL_ROCK, "--fractures", fractures, program=FRACTURED)
 
     def check_asked_to_stop(self, program, *options, keep=()):
         """Asks a run to stop a few times, some part of its time apart, and lets it finish."""

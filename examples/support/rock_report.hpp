@@ -1,5 +1,5 @@
 /// @file
-/// The report of a run in intact rock.
+/// The report of a run in random rock.
 #pragma once
 
 #include <string>
@@ -8,27 +8,35 @@
 #include <hfdem/observe/report.hpp>
 
 #include "support/energy_record.hpp"
-#include "support/intact_figures.hpp"
-#include "support/intact_outcome.hpp"
+#include "support/joint_record.hpp"
+#include "support/rock_figures.hpp"
+#include "support/rock_outcome.hpp"
 #include "support/run_report.hpp"
 
 namespace hfdem::support {
 
-class IntactReport {
+template <class Config>
+class RockReport {
  public:
-  IntactReport(const IntactConfig& config, const Manifest& manifest)
+  using Sim = typename Config::Sim;
+
+  RockReport(const Config& config, const Manifest& manifest)
       : config_(config), manifest_(manifest) {
     page_.program = "hfdem " + manifest.version + ", program " + manifest.program;
   }
 
   /// The page of a run, whatever ended it.
   /// @param energy where the work went; null if no books were kept
-  std::string html(const Rock& sim, const IntactOutcome& o, const IntactFigures& figures,
-                   const EnergyRecord<Rock>* energy) {
+  /// @param joints what became of natural fractures; null if there are none
+  std::string html(const Sim& sim, const RockOutcome& o, const RockFigures<Config>& figures,
+                   const EnergyRecord<Sim>* energy, const JointRecord<Sim>* joints) {
     page_.title =
         "A crack of " + metres(o.end.tip_distance) + " after " + observe::fixed(o.end.time, 3, "s");
     page_.lead =
-        "A crack driven by uniform pressure through bonded discs of random size and place: " +
+        "A crack driven by uniform pressure through bonded discs of random size and place" +
+        (joints ? " with " + said(static_cast<long>(sim.joints().fractures().size())) +
+                      " natural fractures: "
+                : std::string(": ")) +
         described(config_, static_cast<long>(sim.discs().size()));
     if (!o.run.stopped.empty())
       page_.stopped = "At " + observe::fixed(o.end.time, 4, "s") + " of " +
@@ -47,28 +55,33 @@ class IntactReport {
     page_.figure(figures.stress());
     add_comparison(o);
     add_numbers(sim, o);
+    if (joints)
+      joints->add_to(page_, sim, described(config_, static_cast<long>(sim.discs().size())),
+                     config_.is_paper_case_N2_S2());
     if (energy)
       energy->add_to(page_, sim, described(config_, static_cast<long>(sim.discs().size())));
     add_run(page_, sim, o.run, manifest_);
-    add_origin(page_, config_,
-               {{"summary.json", "the answer in numbers, with the references beside them"},
-                {"history.csv", "pressure, tips, lengths, aperture and volumes over time"},
-                {"profile.csv", "aperture, opening and net pressure along the path at the end"},
-                {"cracks.csv", "time, place, length and mode of every bond that broke"},
-                {"specimen.txt", "the discs as they were bonded; for --specimen"},
-                {"paraview/particles.pvd", "discs over time, for ParaView: displacement, stress"},
-                {"paraview/contacts.pvd", "contacts over time: force, moment, state"},
-                {"paraview/cracks.pvd", "broken contacts over time: aperture, pressure"},
-                {"config.toml", "every parameter; repeats the run with --config"},
-                {"fracture.svg", "the crack, for other documents"},
-                {"aperture_map.svg", "aperture along the crack"},
-                {"pressure_map.svg", "net pressure along the crack"},
-                {"pressure.svg", "injection pressure over time"},
-                {"tips.svg", "both tips over time"},
-                {"length.svg", "length over time"},
-                {"aperture.svg", "aperture over time"},
-                {"stress.svg", "minimum principal stress"}},
-               manifest_);
+    std::vector<observe::File> beside{
+        {"summary.json", "the answer in numbers, with the references beside them"},
+        {"history.csv", "pressure, tips, lengths, aperture and volumes over time"},
+        {"profile.csv", "aperture, opening and net pressure along the path at the end"},
+        {"cracks.csv", "time, place, length and mode of every bond that broke"},
+        {"specimen.txt", "the discs as they were bonded; for --specimen"},
+        {"paraview/particles.pvd", "discs over time, for ParaView: displacement, stress"},
+        {"paraview/contacts.pvd", "contacts over time: force, moment, state"},
+        {"paraview/cracks.pvd", "broken contacts over time: aperture, pressure"},
+        {"config.toml", "every parameter; repeats the run with --config"},
+        {"fracture.svg", "the crack, for other documents"},
+        {"aperture_map.svg", "aperture along the crack"},
+        {"pressure_map.svg", "net pressure along the crack"},
+        {"pressure.svg", "injection pressure over time"},
+        {"tips.svg", "both tips over time"},
+        {"length.svg", "length over time"},
+        {"aperture.svg", "aperture over time"},
+        {"stress.svg", "minimum principal stress"}};
+    if (joints)
+      beside.insert(beside.end(), joints->said_files().begin(), joints->said_files().end());
+    add_origin(page_, config_, beside, manifest_);
     return page_.html();
   }
 
@@ -83,7 +96,7 @@ class IntactReport {
     return holds ? "paper " + value : "";
   }
 
-  void add_answer(const IntactOutcome& o) {
+  void add_answer(const RockOutcome& o) {
     using paper::Intact;
     const bool S1 = config_.is_paper_case_S1();
     page_.numbers(
@@ -98,7 +111,7 @@ class IntactReport {
           "of " + said(config_.run.end_time, "s").both()}});
   }
 
-  void add_comparison(const IntactOutcome& o) {
+  void add_comparison(const RockOutcome& o) {
     using paper::Intact;
     page_.section("Comparison");
     const auto kgd = paper_kgd(config_, o.end.time);
@@ -133,7 +146,7 @@ class IntactReport {
                "time: reaching the rim is what is to be expected.");
   }
 
-  void add_numbers(const Rock& sim, const IntactOutcome& o) {
+  void add_numbers(const Sim& sim, const RockOutcome& o) {
     const auto& [connected, unconnected] = o.count;
     page_.section("The crack in numbers");
     page_.facts(
@@ -162,7 +175,7 @@ class IntactReport {
           config_.simulator.scheme.equilibrium ? "at equilibrium" : "by the paper's rule"}});
   }
 
-  const IntactConfig& config_;
+  const Config& config_;
   const Manifest& manifest_;
   observe::Report page_;
 };

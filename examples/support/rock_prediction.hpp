@@ -15,7 +15,8 @@
 namespace hfdem::support {
 
 /// The injection of a run, into a plate.
-inline PlateInjection plate_injection(const IntactConfig& c) {
+template <class Config>
+PlateInjection plate_injection(const Config& c) {
   return {.width = c.specimen.width,
           .height = c.specimen.height,
           .boundary = c.simulator.boundary.kind,
@@ -26,7 +27,8 @@ inline PlateInjection plate_injection(const IntactConfig& c) {
 
 /// Whether it was measured in such a rock: its bonds and its grains; the plate takes care of size,
 /// stress and boundary.
-inline bool same_rock(const MeasuredRock& measured, const IntactConfig& config) {
+template <class Config>
+bool same_rock(const MeasuredRock& measured, const Config& config) {
   const auto& there = measured.rock;
   const auto& contact = config.simulator.contact;
   bool same = !contact.weibull_modulus;
@@ -40,8 +42,9 @@ inline bool same_rock(const MeasuredRock& measured, const IntactConfig& config) 
 
 /// Nothing without a measured rock.
 /// @throws InvalidParameter if the specimen is no plate that the solution knows
-inline std::optional<GrowthPrediction> prediction_of(const std::optional<MeasuredRock>& measured,
-                                                     const IntactConfig& config) {
+template <class Config>
+std::optional<GrowthPrediction> prediction_of(const std::optional<MeasuredRock>& measured,
+                                              const Config& config) {
   if (!measured) return {};
   return GrowthPrediction(measured->fracture, plate_injection(config));
 }

@@ -1,8 +1,10 @@
 /// @file
-/// Everything that a run in intact rock writes.
+/// Everything that a run in random rock writes.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -13,22 +15,34 @@
 
 #include "support/energy_record.hpp"
 #include "support/growing_file.hpp"
-#include "support/intact_prediction.hpp"
-#include "support/intact_recorder.hpp"
-#include "support/intact_report.hpp"
+#include "support/joint_record.hpp"
 #include "support/output_folder.hpp"
 #include "support/progress.hpp"
+#include "support/rock_prediction.hpp"
+#include "support/rock_recorder.hpp"
+#include "support/rock_report.hpp"
 
 namespace hfdem::support {
 
 /// An observer of the run: history and breaks as they come, the rest at the end. Whatever ends the
 /// run, what was written stays.
-class IntactResults {
+template <class Config>
+class RockResults {
  public:
+  using Sim = typename Config::Sim;
+
+  /// What is written at the end.
+  static constexpr std::array files{
+      "report.html",       "summary.json",         "profile.csv", "cracks.csv",   "fracture.svg",
+      "aperture_map.svg",  "pressure_map.svg",     "stress.svg",  "pressure.svg", "tips.svg",
+      "length.svg",        "aperture.svg",         "energy.csv",  "joints.csv",   "joints.svg",
+      "joint_lengths.svg", "natural_fractures.csv"};
+
   /// @param measured modulus and toughness to predict the run with, if there are some
+  /// @param fractures number of natural ones
   /// @param resumes whether the run goes on with what is in the folder
-  IntactResults(const OutputFolder& folder, const IntactConfig& config, const Manifest& manifest,
-                const std::optional<MeasuredRock>& measured, bool resumes)
+  RockResults(const OutputFolder& folder, const Config& config, const Manifest& manifest,
+              const std::optional<MeasuredRock>& measured, std::size_t fractures, bool resumes)
       : folder_(folder),
         config_(config),
         manifest_(manifest),
@@ -37,21 +51,23 @@ class IntactResults {
         recorder_(config, history_file_.out()),
         paraview_(folder.path() / "paraview", config.run.snapshot_interval) {
     if (config.run.energy) energy_.emplace(folder, config.run.output_interval, resumes);
+    if (fractures > 0) joints_.emplace(folder, config.run.output_interval, resumes);
   }
 
   /// Call once the specimen has settled; not for a run that is resumed.
-  void begin(const Rock& sim) {
+  void begin(const Sim& sim) {
     save_specimen((folder_.path() / "specimen.txt").string(), sim.specimen());
     paraview_.write(sim);
     recorder_.begin();
   }
 
-  void mechanical_step(const Rock& sim) {
+  void mechanical_step(const Sim& sim) {
     if (energy_) energy_->mechanical_step(sim);
   }
 
-  void fluid_step(const Rock& sim, const FluidStep& step) {
+  void fluid_step(const Sim& sim, const FluidStep& step) {
     if (energy_) energy_->fluid_step(sim);
+    if (joints_) joints_->fluid_step(sim);
     recorder_.fluid_step(sim, step);
     paraview_.fluid_step(sim, step);
   }
@@ -60,22 +76,24 @@ class IntactResults {
   void exchange(auto& archive) {
     archive(measured_, history_file_, recorder_, paraview_);
     if (energy_) archive(*energy_);
+    if (joints_) archive(*joints_);
   }
 
   /// @param how the run ended
-  void finish(const Rock& sim, const RunEnd& how) {
+  void finish(const Sim& sim, const RunEnd& how) {
     outcome_ = recorder_.outcome(sim, how);
     outcome_.moduli = moduli(sim);
     paraview_.write(sim);
     history_file_.close();
     if (energy_) energy_->close();
+    if (joints_) joints_->finish(sim, described(config_, static_cast<long>(sim.discs().size())));
     folder_.write("profile.csv", profile(sim));
     std::ostringstream cracks;
     observe::write_cracks(cracks, sim);
     folder_.write("cracks.csv", cracks.str());
     const auto prediction = prediction_of(measured_, config_);
-    const IntactFigures figures(config_, sim, growth().instants(),
-                                prediction ? &*prediction : nullptr);
+    const RockFigures<Config> figures(config_, sim, growth().instants(),
+                                      prediction ? &*prediction : nullptr);
     folder_.write("fracture.svg", svg(figures.fracture()));
     folder_.write("aperture_map.svg", svg(figures.apertures()));
     folder_.write("pressure_map.svg", svg(figures.net_pressures()));
@@ -85,8 +103,9 @@ class IntactResults {
     folder_.write("length.svg", svg(figures.length()));
     folder_.write("aperture.svg", svg(figures.aperture()));
     folder_.write("summary.json", summary(sim).json());
-    folder_.write("report.html", IntactReport(config_, manifest_)
-                                     .html(sim, outcome_, figures, energy_ ? &*energy_ : nullptr));
+    folder_.write("report.html", RockReport<Config>(config_, manifest_)
+                                     .html(sim, outcome_, figures, energy_ ? &*energy_ : nullptr,
+                                           joints_ ? &*joints_ : nullptr));
   }
 
   /// @param reason why the specimen could not even settle
@@ -94,15 +113,16 @@ class IntactResults {
     outcome_.run.stopped = reason;
     history_file_.close();
     if (energy_) energy_->close();
-    folder_.write("report.html", IntactReport(config_, manifest_).html(reason));
+    if (joints_) joints_->close();
+    folder_.write("report.html", RockReport<Config>(config_, manifest_).html(reason));
   }
 
   bool stopped() const { return !outcome_.run.stopped.empty(); }
-  const IntactOutcome& outcome() const { return outcome_; }
+  const RockOutcome& outcome() const { return outcome_; }
   const observe::Growth& growth() const { return recorder_.growth(); }
 
   /// The answer in a few lines for a terminal.
-  std::string text(const Rock& sim) const {
+  std::string text(const Sim& sim) const {
     const auto& o = outcome_;
     char text[800];
     std::snprintf(text, sizeof text,
@@ -121,16 +141,19 @@ class IntactResults {
   }
 
  private:
-  static measure::ElasticModuli moduli(const Rock& sim) {
+  /// Of the rock between its natural fractures.
+  static measure::ElasticModuli moduli(const Sim& sim) {
+    Specimen rock = sim.specimen();
+    rock.joints = {};
     try {
-      return measure::elastic_moduli<Rock::ContactPolicy, Rock::NeighbourPolicy>(
-          sim.specimen(), sim.params().contact, {0, 0}, sim.params().mechanics);
+      return measure::elastic_moduli<typename Sim::ContactPolicy, typename Sim::NeighbourPolicy>(
+          rock, sim.params().contact, {0, 0}, sim.params().mechanics);
     } catch (const RunStopped&) {
       return {NAN, NAN};
     }
   }
 
-  std::string profile(const Rock& sim) const {
+  std::string profile(const Sim& sim) const {
     const auto microcracks = measure::microcracks(sim);
     std::ostringstream out;
     out << "along_path_m,along_crack_m,x_m,y_m,length_m,aperture_m,opening_m,net_pressure_Pa\n";
@@ -141,11 +164,12 @@ class IntactResults {
     return out.str();
   }
 
-  Summary summary(const Rock& sim) const {
+  Summary summary(const Sim& sim) const {
     Summary s;
     summarise(s, config_, sim, outcome_, growth());
     s.set("threads", manifest_.threads);
     if (energy_) energy_->summarise(s);
+    if (joints_) joints_->summarise(s, sim, config_.is_paper_case_N2_S2());
     if (const auto prediction = prediction_of(measured_, config_))
       summarise(s, *prediction, same_rock(*measured_, config_), outcome_.end);
     const auto kgd = paper_kgd(config_, outcome_.end.time);
@@ -161,14 +185,15 @@ class IntactResults {
   }
 
   const OutputFolder& folder_;
-  const IntactConfig& config_;
+  const Config& config_;
   const Manifest& manifest_;
   std::optional<MeasuredRock> measured_;
   GrowingFile history_file_;
-  IntactRecorder recorder_;
+  RockRecorder<Config> recorder_;
   observe::ParaView paraview_;
-  std::optional<EnergyRecord<Rock>> energy_;  // if the books are kept
-  IntactOutcome outcome_;
+  std::optional<EnergyRecord<Sim>> energy_;  // if the books are kept
+  std::optional<JointRecord<Sim>> joints_;   // if there are natural fractures
+  RockOutcome outcome_;
 };
 
 }  // namespace hfdem::support

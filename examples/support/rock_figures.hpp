@@ -1,5 +1,5 @@
 /// @file
-/// The figures of a run in intact rock: the paper's Figs. 7 to 12 and 18.
+/// The figures of a run in random rock: the paper's Figs. 7 to 15 and 18.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,8 @@
 namespace hfdem::support {
 
 /// What a run was, in one sentence for captions.
-inline std::string described(const IntactConfig& c, long discs) {
+template <class Config>
+std::string described(const Config& c, long discs) {
   const auto& p = c.simulator;
   return std::to_string(discs) + " discs of radius " + in_words(c.specimen.radius_min * 1e3) +
          " to " + in_words(c.specimen.radius_max * 1e3) + " mm (seed " +
@@ -35,7 +36,8 @@ inline std::string described(const IntactConfig& c, long discs) {
 }
 
 /// The KGD fracture as the paper computed it for its rock: its E' and K_IC, this run's rate.
-inline analytic::KgdFracture paper_kgd(const IntactConfig& c, double time) {
+template <class Config>
+analytic::KgdFracture paper_kgd(const Config& c, double time) {
   return analytic::toughness_vertex(paper::Intact::E_prime, paper::Intact::K_IC,
                                     c.simulator.injection.rate, time);
 }
@@ -61,13 +63,15 @@ void add_predicted(observe::Chart& chart, const GrowthPrediction* prediction, F&
       "given.";
 }
 
-class IntactFigures {
+template <class Config>
+class RockFigures {
  public:
+  using Sim = typename Config::Sim;
   using Instants = std::vector<observe::GrowthInstant>;
 
   /// @param prediction to draw beside the run; null if there is none
-  IntactFigures(const IntactConfig& config, const Rock& sim, const Instants& history,
-                const GrowthPrediction* prediction)
+  RockFigures(const Config& config, const Sim& sim, const Instants& history,
+              const GrowthPrediction* prediction)
       : config_(config),
         sim_(sim),
         history_(history),
@@ -170,6 +174,7 @@ class IntactFigures {
                              .origin = measure::crack_origin(sim_),
                              .width = sim_.specimen().width,
                              .height = sim_.specimen().height,
+                             .natural = sim_.specimen().joints.fractures,
                              .title = title,
                              .conditions = conditions_};
     map.crack = measure::crack_path(map.microcracks, map.origin);
@@ -224,8 +229,8 @@ class IntactFigures {
            " GPa and K_{IC} = " + in_words(paper::Intact::K_IC / 1e6) + " MPa·m^{1/2}.";
   }
 
-  const IntactConfig& config_;
-  const Rock& sim_;
+  const Config& config_;
+  const Sim& sim_;
   const Instants& history_;
   const GrowthPrediction* prediction_;
   std::string conditions_, at_time_;

@@ -13,24 +13,29 @@
 
 #include <hfdem/measure/sample_mean.hpp>
 
-#include "support/intact_prediction.hpp"
-#include "support/intact_results.hpp"
+#include "support/rock_prediction.hpp"
 #include "support/rock_readings.hpp"
+#include "support/rock_results.hpp"
 
 namespace hfdem::support {
 
 /// Gathers runs, then writes what they have in common.
-class IntactSeeds {
+template <class Config>
+class RockSeeds {
  public:
   static constexpr std::array files{"report.html", "summary.json", "seeds.csv", "pressure.svg",
                                     "length.svg"};
 
   /// @param measured modulus and toughness to predict the runs with, if there are some
-  IntactSeeds(const IntactConfig& config, const Manifest& manifest,
-              std::optional<MeasuredRock> measured)
-      : config_(config), manifest_(manifest), measured_(std::move(measured)) {}
+  /// @param fractures number of natural ones
+  RockSeeds(const Config& config, const Manifest& manifest, std::optional<MeasuredRock> measured,
+            std::size_t fractures)
+      : config_(config),
+        manifest_(manifest),
+        measured_(std::move(measured)),
+        readings_(rock_readings(config, fractures > 0)) {}
 
-  void add(int seed, const IntactResults& run) {
+  void add(int seed, const RockResults<Config>& run) {
     if (run.stopped()) {
       stopped_.push_back(seed);
       return;
@@ -128,7 +133,7 @@ class IntactSeeds {
       s.set(key + "_ci95", mean.ci95);
       s.set(key + "_median", median(values));
       s.set(key + "_count", static_cast<long>(values.size()));
-      if (config_.is_paper_case_S1() && std::isfinite(readings_[k].paper))
+      if (std::isfinite(readings_[k].paper))
         s.compare("paper/" + key, mean.mean, readings_[k].paper);
     }
     return s;
@@ -187,7 +192,8 @@ class IntactSeeds {
     page.figure(length());
     page.figure(pressure());
     page.section("Means");
-    const bool paper = config_.is_paper_case_S1();
+    const bool paper = std::any_of(readings_.begin(), readings_.end(),
+                                   [](const RockReading& r) { return std::isfinite(r.paper); });
     observe::Table means{.caption =
                              "With the 95 % interval of Student's t, over the rocks whose "
                              "crack is still inside the specimen.",
@@ -226,10 +232,10 @@ class IntactSeeds {
     return unit.empty() ? observe::fixed(value, 2) : observe::fixed(value, 3, unit);
   }
 
-  const IntactConfig config_;
+  const Config config_;
   const Manifest& manifest_;
   std::optional<MeasuredRock> measured_;
-  std::vector<RockReading> readings_ = rock_readings();
+  std::vector<RockReading> readings_;
   std::vector<Run> runs_;
   std::vector<int> stopped_;
 };

@@ -1,5 +1,5 @@
 /// @file
-/// What a run in intact rock came to.
+/// What a run in random rock came to.
 #pragma once
 
 #include <cmath>
@@ -19,18 +19,22 @@
 namespace hfdem::support {
 
 /// SI; what a run did not come to is not a number.
-struct IntactOutcome {
+struct RockOutcome {
   observe::GrowthInstant end{};       ///< the last fluid step, or the moment the rim was reached
   measure::CrackPath crack{};         ///< at the end
   measure::MicrocrackCounts count{};  ///< at the end
+  measure::MicrocrackCounts in_joints{};  ///< those of them in natural fractures
   double first_break = NAN, breakdown = 0, propagation = NAN;  ///< pressures
   std::optional<double> rim_time{};                            ///< if the crack reached the rim
   measure::ElasticModuli moduli{NAN, NAN};
   RunRecord run{};
+
+  int preset() const { return count.connected.preset + count.unconnected.preset; }  ///< microcracks
 };
 
-inline void summarise(Summary& s, const IntactConfig& config, const Rock& sim,
-                      const IntactOutcome& o, const observe::Growth& growth) {
+template <class Config>
+void summarise(Summary& s, const Config& config, const typename Config::Sim& sim,
+               const RockOutcome& o, const observe::Growth& growth) {
   const double closing = config.closing_stress();
   s.set("time_s", o.end.time);
   s.set("first_break_pressure_Pa", o.first_break);
@@ -47,13 +51,12 @@ inline void summarise(Summary& s, const IntactConfig& config, const Rock& sim,
   s.set("asymmetry", o.end.asymmetry);
   s.set("branches", static_cast<long>(o.crack.branches.size()));
   const auto& [connected, unconnected] = o.count;
-  s.set("microcracks/rock",
-        connected.tension + connected.shear + unconnected.tension + unconnected.shear);
-  s.set("microcracks/joints", 0);
-  s.set("microcracks/connected_joints", 0);
+  s.set("microcracks/rock", o.count.total() - o.preset() - o.in_joints.total());
+  s.set("microcracks/joints", o.in_joints.total());
+  s.set("microcracks/connected_joints", o.in_joints.connected.total());
   s.set("microcracks/tension", connected.tension + unconnected.tension);
   s.set("microcracks/shear", connected.shear + unconnected.shear);
-  s.set("microcracks/preset", connected.preset + unconnected.preset);
+  s.set("microcracks/preset", o.preset());
   s.set("microcracks/unconnected", unconnected.total());
   long settling = 0;
   for (const BondBreak& b : sim.breaks()) settling += b.time > 0 ? 0 : 1;

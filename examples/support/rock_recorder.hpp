@@ -1,5 +1,5 @@
 /// @file
-/// What is read from a run in intact rock while it goes on.
+/// What is read from a run in random rock while it goes on.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include <hfdem/observe/growth.hpp>
 
-#include "support/intact_outcome.hpp"
 #include "support/progress.hpp"
+#include "support/rock_outcome.hpp"
 
 namespace hfdem::support {
 
@@ -37,10 +37,11 @@ RunEnd end_of(const std::optional<Sim>& sim, Run&& run) {
 }
 
 /// An observer of a run.
-class IntactRecorder {
+template <class Config>
+class RockRecorder {
  public:
   /// @param history written row by row; must outlive the recorder
-  IntactRecorder(const IntactConfig& config, std::ostream& history)
+  RockRecorder(const Config& config, std::ostream& history)
       : config_(config), growth_(history, config.run.output_interval, config.closing_stress()) {}
 
   /// Call once the specimen has settled.
@@ -58,16 +59,18 @@ class IntactRecorder {
 
   /// @param how the run ended
   template <class Sim>
-  IntactOutcome outcome(const Sim& sim, const RunEnd& how) const {
+  RockOutcome outcome(const Sim& sim, const RunEnd& how) const {
     const auto microcracks = measure::microcracks(sim);
-    IntactOutcome o{.end = observe::growth_instant(sim),
-                    .crack = measure::crack_path(microcracks, measure::crack_origin(sim)),
-                    .count = measure::count(microcracks),
-                    .first_break = first_break_pressure(sim),
-                    .breakdown = peak_pressure_,
-                    .propagation = growth_.mean_pressure(config_.readings.propagation_from,
-                                                         config_.readings.propagation_to),
-                    .run = {how.stopped, unconverged_, watch_.seconds()}};
+    const auto in_joint = [](const measure::Microcrack& m) { return m.in_joint; };
+    RockOutcome o{.end = observe::growth_instant(sim),
+                  .crack = measure::crack_path(microcracks, measure::crack_origin(sim)),
+                  .count = measure::count(microcracks),
+                  .in_joints = measure::count(microcracks, in_joint),
+                  .first_break = first_break_pressure(sim),
+                  .breakdown = peak_pressure_,
+                  .propagation = growth_.mean_pressure(config_.readings.propagation_from,
+                                                       config_.readings.propagation_to),
+                  .run = {how.stopped, unconverged_, watch_.seconds()}};
     // A break within a fluid step may see more pressure than its end.
     for (const BondBreak& b : sim.breaks()) o.breakdown = std::fmax(o.breakdown, b.pressure);
     if (how.at_rim) o.rim_time = sim.time();
@@ -77,7 +80,7 @@ class IntactRecorder {
   const observe::Growth& growth() const { return growth_; }
 
  private:
-  const IntactConfig& config_;
+  const Config& config_;
   observe::Growth growth_;
   double peak_pressure_ = 0;
   long unconverged_ = 0;
