@@ -166,10 +166,10 @@ class Assembly {
     const ContactRange<JointLawOf<Contact>>& range = joints_.contacts();
     const auto [first, second] = joints_.pair(k).bodies;
     const double width = 2 * std::fmin(discs_.radius[first], discs_.radius[second]);
-    const double stress = range.response(k, discs_.displacement).normal_stress;
-    const double dilation = range.law().dilation(range.memory(k));
+    const auto response = range.response(k, discs_.displacement);
+    const double dilation = range.law().dilation(response.memory);
     const double gap = range.motion(k, discs_.displacement).opening - dilation;
-    return {max(0.0, stress * width), gap, dilation};
+    return {max(0.0, response.normal_stress * width), gap, dilation};
   }
 
   /// Mean size of the force in the contacts between discs at the last mechanical step, N per m.
@@ -259,10 +259,7 @@ class Assembly {
     const JointLawOf<Contact>& joint = joints_.contacts().law();
     const auto joint_geometry = joints_.geometry();
     for (std::size_t k = 0; k < joints_.size(); ++k) {
-      // Shares shrink when more discs meet; one that meets takes no more than a disc is wide.
-      const auto [first, second] = joints_.pair(k).bodies;
-      const double width = 2 * std::fmax(specimen_.radius[first], specimen_.radius[second]);
-      const double share = std::fmax(joints_.piece(k).length(), width);
+      const double share = joints_.longest_share(k);
       bound.add(joint_geometry[k], joint.springs(joint.stiffness(share)));
     }
     for (std::size_t c = 0; c < platens_.size(); ++c)

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -126,6 +127,16 @@ class JointContacts {
     const NaturalFracture& f = fractures_[pairs_[joint].fracture];
     return {f.from + piece_[joint].begin * f.direction(),
             f.from + piece_[joint].end * f.direction()};
+  }
+
+  /// No shorter than the piece that a contact stands for now or later, when its discs have met:
+  /// that piece is part of what others stand for now.
+  double longest_share(std::size_t joint) const {
+    double longest = 0;
+    for (const std::size_t k : along_[pairs_[joint].fracture])
+      longest = std::fmax(longest, piece_[k].length());
+    // One that comes between two others takes half of both.
+    return longest > 0 ? longest : fractures_[pairs_[joint].fracture].length();
   }
 
   /// Refuses the fracture of a joint.

@@ -11,9 +11,9 @@
 ///   the paper's   |V_f - V_c| <= 1 % of V_f, or ten mechanical steps;
 ///   equilibrium   |V_f - V_c| <= 0.1 % of V_f *and* the largest unbalanced force below 1e-3 of
 ///                 the mean contact force. Matched volume alone is not equilibrium.
-/// What is unmet carries over to the next step. Where a fluid step oscillates, alpha is lowered
-/// until steps converge again. A dry joint that the crack reaches has to be filled first; if that
-/// takes more than there is, the pressure is zero until enough has been injected.
+/// What is unmet carries over to the next step. Where steps to equilibrium oscillate, alpha is
+/// lowered until they converge again. A dry joint that the crack reaches has to be filled first; if
+/// that takes more than there is, the pressure is zero until enough has been injected.
 #pragma once
 
 #include <cmath>
@@ -81,12 +81,10 @@ class UniformPressure {
   template <class Relax>
   FluidStep advance(Network& network, const Injected& injected, Relax&& relax) {
     FluidStep step;
-    int turns = 0;
-    bool too_much = false;
     do {
-      const bool was_too_much = std::exchange(too_much, network.crack_volume() > injected.total);
-      if (step.mechanical_steps > 0 && too_much != was_too_much && ++turns > usual_turns)
-        gain_ /= 2;
+      const bool was_too_much = std::exchange(too_much_, network.crack_volume() > injected.total);
+      if (params_.equilibrium && too_much_ != was_too_much && ++turns_ > usual_turns)
+        gain_ = max(least_gain, gain_ / 2);
       raise_pressure(network, injected.total);
       const Relaxed relaxed = relax();
       ++step.mechanical_steps;
@@ -103,14 +101,14 @@ class UniformPressure {
     // A crack that breaks through may open more for some mechanical steps, until the pressure has
     // fallen.
     stop_if_crack_ran_away(network, injected.total);
-    if (step.converged) gain_ = min(1.0, 1.25 * gain_);
+    if (step.converged) turns_ = 0, gain_ = min(1.0, 1.25 * gain_);
     // What turned wet in the last mechanical step has the pressure, too.
     fill(network, network.pressure(network.injection_domain()));
     return step;
   }
 
-  /// The pressure is the network's.
-  void exchange(auto& archive) { archive(gain_); }
+  /// What the control remembers; the pressure is the network's.
+  void exchange(auto& archive) { archive(gain_, turns_, too_much_, running_away_); }
 
  private:
   void raise_pressure(Network& network, double injected) const {
@@ -139,20 +137,28 @@ class UniformPressure {
     return network.pressure(network.injection_domain()) <= 0 && network.crack_volume() > injected;
   }
 
-  static void stop_if_crack_ran_away(const Network& network, double injected) {
-    if (network.crack_volume() > 2 * injected + network.rest_volume())
+  void stop_if_crack_ran_away(const Network& network, double injected) {
+    const bool far = network.crack_volume() > 2 * injected + network.rest_volume();
+    running_away_ = far ? running_away_ + 1 : 0;
+    if (running_away_ > patience)
       throw RunStopped("the crack ran away from its fluid: it has opened " +
                        in_words(network.crack_volume()) + " m2 while " + in_words(injected) +
                        " m2 were injected. Either the specimen is splitting, or scheme.alpha is "
                        "too large or too small for it");
   }
 
-  /// That a fluid step makes between too much and too little while a crack advances; more are an
-  /// oscillation that alpha feeds, as where soft joints let the rock answer slowly.
+  /// Between too much and too little, while a crack advances; more are an oscillation that alpha
+  /// feeds, as where soft joints let the rock answer slowly.
   static constexpr int usual_turns = 4;
+  static constexpr double least_gain = 1.0 / 16;
+  /// Fluid steps that the pressure is given to catch a crack that breaks through.
+  static constexpr int patience = 10;
 
   Params params_;
-  double gain_ = 1;  ///< part of alpha that is in use
+  double gain_ = 1;        ///< part of alpha that is in use
+  int turns_ = 0;          ///< since the last converged step
+  bool too_much_ = false;  ///< whether the crack held more than was injected
+  int running_away_ = 0;   ///< fluid steps in a row at whose end it held far more
 };
 
 }  // namespace hfdem
