@@ -149,7 +149,7 @@ class UniformPressure {
 
   /// Between too much and too little, while a crack advances; more are an oscillation that alpha
   /// feeds, as where soft joints let the rock answer slowly.
-  static constexpr int usual_turns = 4;
+  static constexpr int usual_turns = 12;
   static constexpr double least_gain = 1.0 / 16;
   /// Fluid steps that the pressure is given to catch a crack that breaks through.
   static constexpr int patience = 10;
