@@ -4,8 +4,8 @@
 ///
 /// The ends are pressed by smooth platens. The sides are loaded as by a fluid behind a membrane:
 /// every disc of the rim carries the confining pressure on its part of the side, and where the
-/// joint comes out, the parts end at its mouth. Rigid side platens would hinder the two blocks;
-/// parts that straddle the mouth would press on the wrong block.
+/// joint comes out, the parts of its two blocks end at its mouth. Rigid side platens would hinder
+/// the two blocks; parts that straddle the mouth would press on the wrong block.
 #pragma once
 
 #include <algorithm>
@@ -67,28 +67,50 @@ struct JointTest {
 
 namespace detail {
 
-inline bool is_left_of(const NaturalFracture& f, Vec2 point) {
-  return cross(f.to - f.from, point - f.from) > 0;
+/// Which discs hang together with a disc by bonds of the rock: on a joint from side to side, those
+/// of its block. Centres do not say it, as discs may have changed sides.
+template <class Rock>
+std::vector<bool> block_of(const Rock& rock, Index disc) {
+  std::vector<std::vector<Index>> beside(rock.specimen().size());
+  for (const ContactGeometry& c : rock.geometry().first(rock.contacts().size())) {
+    beside[c.bodies.first].push_back(c.bodies.second);
+    beside[c.bodies.second].push_back(c.bodies.first);
+  }
+  std::vector<bool> in_block(beside.size(), false);
+  for (std::vector<Index> front{disc}; !front.empty();) {
+    const Index i = front.back();
+    front.pop_back();
+    if (in_block[i]) continue;
+    in_block[i] = true;
+    front.insert(front.end(), beside[i].begin(), beside[i].end());
+  }
+  return in_block;
 }
 
 /// The confining pressure on a side as forces on the discs of its rim, N per m.
+/// @param rock with one joint from side to side
+/// @param upper which discs are of the block above the joint
+/// @param side left or right
+/// @param pressure Pa
 template <class Rock>
-void press_side(Rock& rock, Side side, double pressure) {
+void press_side(Rock& rock, const std::vector<bool>& upper, Side side, double pressure) {
   const Specimen& s = rock.specimen();
+  const NaturalFracture& joint = s.joints.fractures.front();
+  const bool comes_from_here = (joint.from.x < joint.to.x) == (side == Side::left);
+  const double mouth = comes_from_here ? joint.from.y : joint.to.y;
   std::vector<Index> rim;
   for (Index i = 0; i < s.size(); ++i)
     if (s.touches(i, side)) rim.push_back(i);
   const auto height = [&](Index i) { return s.centre[i].y; };
-  std::sort(rim.begin(), rim.end(), [&](Index a, Index b) { return height(a) < height(b); });
-  const double x = side == Side::left ? 0 : s.width;
+  std::sort(rim.begin(), rim.end(), [&](Index a, Index b) {
+    return upper[a] == upper[b] ? height(a) < height(b) : upper[b];
+  });
   double below = 0;
   for (std::size_t k = 0; k < rim.size(); ++k) {
-    double above = k + 1 < rim.size() ? 0.5 * (height(rim[k]) + height(rim[k + 1])) : s.height;
-    for (const NaturalFracture& f : s.joints.fractures)
-      for (const Vec2 mouth : {f.from, f.to})
-        if (k + 1 < rim.size() && std::abs(mouth.x - x) < 1e-9 * s.width &&
-            is_left_of(f, s.centre[rim[k]]) != is_left_of(f, s.centre[rim[k + 1]]))
-          above = mouth.y;
+    double above = s.height;
+    if (k + 1 < rim.size())
+      above =
+          upper[rim[k]] == upper[rim[k + 1]] ? 0.5 * (height(rim[k]) + height(rim[k + 1])) : mouth;
     rock.push(rim[k], -(pressure * (above - below)) * outward(side));
     below = above;
   }
@@ -117,9 +139,11 @@ JointTest jointed_compression(const Specimen& specimen, const Contact& law, doub
       .length = joint.length()};
   detail::LoadedSpecimen<Contact> loaded(specimen, law, BoundaryKind::servo, mechanics);
   auto& rock = loaded.rock();
+  const auto highest = std::ranges::max_element(specimen.centre, {}, &Vec2::y);
+  const auto upper = detail::block_of(rock, static_cast<Index>(highest - specimen.centre.begin()));
   for (const Side side : {Side::left, Side::right}) {
     rock.withdraw(side);
-    detail::press_side(rock, side, confinement);
+    detail::press_side(rock, upper, side, confinement);
   }
   loaded.confine(confinement, mechanics);
 
