@@ -12,6 +12,7 @@
 #include <hfdem/setup/bonding.hpp>
 #include <hfdem/setup/flow_domains.hpp>
 #include <hfdem/setup/preset_crack.hpp>
+#include <hfdem/simulator_checks.hpp>
 #include <hfdem/simulator_observers.hpp>
 #include <hfdem/simulator_params.hpp>
 #include <hfdem/state/concepts.hpp>
@@ -227,28 +228,14 @@ class Simulator {
       network_.set_rest_width(assembly_.number_of(k), joints().contacts().law().rest_width());
     preset_ =
         preset_crack(params_.crack, specimen(), assembly_.geometry(), centre, crack_direction());
-    keep_joints_away();
+    detail::keep_joints_away(assembly_, network_, preset_);
     for (const Index c : preset_) {
       assembly_.break_bond(c);
       network_.open(c);
     }
-    if (Pressure::holds_fluid && network_.wet_channels().empty()) refuse_crack();
-    stop_if_at_rim();
-  }
-
-  /// The preset crack and the domain that receives the fluid are to be in rock.
-  void keep_joints_away() const {
-    for (const Index c : preset_)
-      if (is_joint(c)) joints().refuse(c - contacts().size(), "away from the preset crack");
-    for (const Index c : network_.channels_of(network_.injection_domain()))
-      if (is_joint(c)) joints().refuse(c - contacts().size(), "away from the injection");
-  }
-
-  [[noreturn]] void refuse_crack() const {
-    if (params_.crack.length)
-      refuse("crack", "length", to_text(*params_.crack.length) + " m",
-             "long enough to cut a contact: the fluid needs a crack to enter");
-    refuse("crack", "contacts", "0", "at least 1: the fluid needs a crack to enter");
+    if (Pressure::holds_fluid && network_.wet_channels().empty())
+      detail::refuse_short_crack(params_.crack);
+    if (Pressure::holds_fluid) detail::stop_at_rim(network_, time_);
   }
 
   // ---- one mechanical step --------------------------------------------------------------------
@@ -261,12 +248,12 @@ class Simulator {
       network_.open(contact);
     });
     const std::size_t broken = breaks_.size() - broken_before;
-    if (broken > 0) stop_if_at_rim();
+    if (broken > 0 && Pressure::holds_fluid) detail::stop_at_rim(network_, time_);
     const double joined = flood_joints(wet_before);
     for (const Index i : network_.pushed_discs()) push(i);
     (tell_mechanical_step(observers, *this), ...);
     const double largest = assembly_.move(settling, threads_);
-    stop_if_not_finite(largest);
+    detail::stop_unless_finite(largest, time_);
     refresh_widths();
     ++(settling ? settling_steps_ : mechanical_steps_);
     return {largest == 0 ? 0 : largest / mean_contact_force_, static_cast<int>(broken), joined};
@@ -296,20 +283,6 @@ class Simulator {
         joined += network_.geometry().channels[c].length * network_.width(c);
     }
     return joined;
-  }
-
-  // ---- reasons to stop ------------------------------------------------------------------------
-
-  void stop_if_at_rim() const {
-    if (Pressure::holds_fluid && network_.reached_rim())
-      throw ReachedRim("the crack reached the rim of the specimen at t = " + in_words(time_) +
-                       " s: the fluid would leave it there");
-  }
-
-  void stop_if_not_finite(double force) const {
-    if (!std::isfinite(force))
-      throw RunStopped("a force is not a finite number at t = " + in_words(time_) +
-                       " s: the mechanical step is unstable, or the specimen has come apart");
   }
 
   Params params_;

@@ -1,0 +1,50 @@
+/// @file
+/// What a simulator refuses when it is made, and what ends its run.
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include <hfdem/base/errors.hpp>
+#include <hfdem/base/fields.hpp>
+#include <hfdem/setup/preset_crack.hpp>
+#include <hfdem/state/contact.hpp>
+#include <hfdem/state/network.hpp>
+
+namespace hfdem::detail {
+
+/// A crack that cuts no contact: the fluid has nowhere to go.
+[[noreturn]] inline void refuse_short_crack(const PresetCrack& crack) {
+  if (crack.length)
+    refuse("crack", "length", to_text(*crack.length) + " m",
+           "long enough to cut a contact: the fluid needs a crack to enter");
+  refuse("crack", "contacts", "0", "at least 1: the fluid needs a crack to enter");
+}
+
+/// The preset crack and the domain that receives the fluid are to be in rock.
+template <class Assembly>
+void keep_joints_away(const Assembly& assembly, const Network& network,
+                      std::span<const Index> preset) {
+  const auto check = [&](Index contact, const char* allowed) {
+    if (assembly.is_joint(contact))
+      assembly.joints().refuse(contact - assembly.contacts().size(), allowed);
+  };
+  for (const Index c : preset) check(c, "away from the preset crack");
+  for (const Index c : network.channels_of(network.injection_domain()))
+    check(c, "away from the injection");
+}
+
+/// The network has no outside that fluid could flow to.
+inline void stop_at_rim(const Network& network, double time) {
+  if (network.reached_rim())
+    throw ReachedRim("the crack reached the rim of the specimen at t = " + in_words(time) +
+                     " s: the fluid would leave it there");
+}
+
+inline void stop_unless_finite(double force, double time) {
+  if (!std::isfinite(force))
+    throw RunStopped("a force is not a finite number at t = " + in_words(time) +
+                     " s: the mechanical step is unstable, or the specimen has come apart");
+}
+
+}  // namespace hfdem::detail
