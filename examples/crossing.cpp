@@ -61,10 +61,10 @@ int run(const CommandLine& options, const CrossingConfig& config, const Manifest
   checkpoint.resumes() ? checkpoint.load(rocks) : checkpoint.save(rocks);
   ProgressLine progress(options.quiet);
   const auto all =
-      static_cast<double>(config.angles.size() * config.stresses.size()) * config.study.seeds;
+      static_cast<double>(config.angles().size() * config.stresses().size()) * config.study.seeds;
   std::size_t number = 0;
-  for (const double angle : config.angles)
-    for (const double stress : config.stresses)
+  for (const double angle : config.angles())
+    for (const double stress : config.stresses())
       for (int k = 0; k < config.study.seeds; ++k) {
         if (number++ < rocks.size()) continue;  // before it was resumed
         progress.show(static_cast<double>(rocks.size()) / all,

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -36,6 +38,7 @@ struct CrossingStudy {
   double end_time = 0.6;
   double offset = 0.016;
   double beyond = 0.024;
+  int every = 1;
 
   static constexpr auto fields() {
     using P = CrossingStudy;
@@ -50,7 +53,9 @@ struct CrossingStudy {
         Field{"offset", &P::offset, "m", positive,
               "along the joint, from where the crack meets it: one that leaves it nearer crosses"},
         Field{"beyond", &P::beyond, "m", positive,
-              "length of microcracks beyond the joint that count as a crack"}};
+              "length of microcracks beyond the joint that count as a crack"},
+        Field{"every", &P::every, "", Range{1, 5},
+              "1: all angles and stresses of the map; 2: every second, from the first on; ..."}};
   }
 };
 
@@ -70,13 +75,15 @@ struct CrossingConfig : SectionTree<CrossingConfig> {
                                             .unbalanced_tolerance = 5e-3}};
   CrossingStudy study;
 
-  static constexpr std::array angles{90.0, 75.0, 60.0, 45.0, 30.0};    ///< joint to crack, deg
-  static constexpr std::array stresses{11e6, 13e6, 16e6, 20e6, 25e6};  ///< along the crack, Pa
+  /// Joint to crack, deg.
+  std::vector<double> angles() const { return tried({90, 75, 60, 45, 30}); }
+  /// Along the crack, Pa.
+  std::vector<double> stresses() const { return tried({11e6, 13e6, 16e6, 20e6, 25e6}); }
 
-  /// A small specimen with joints near the injection.
+  /// The corners of the map, in small specimens with joints near the injection.
   void shrink() {
-    specimen.width = specimen.height = 0.3;
-    study = {.seeds = 1, .distance = 0.05, .length = 0.12, .end_time = 0.2};
+    specimen.width = specimen.height = 0.2;
+    study = {.seeds = 1, .distance = 0.03, .length = 0.06, .end_time = 0.05, .every = 4};
   }
 
   /// A rock with a joint above the injection and one below, either the other turned by half a
@@ -98,6 +105,14 @@ struct CrossingConfig : SectionTree<CrossingConfig> {
     f("specimen", self.specimen);
     hfdem::for_each_section(self.simulator, f);
     f("study", self.study);
+  }
+
+ private:
+  std::vector<double> tried(std::initializer_list<double> all) const {
+    std::vector<double> some;
+    for (std::size_t k = 0; k < all.size(); k += static_cast<std::size_t>(study.every))
+      some.push_back(all.begin()[k]);
+    return some;
   }
 };
 

@@ -57,15 +57,16 @@ class CrossingResults {
   std::string text() const {
     std::string lines =
         "stress along the crack; A arrested, O offset, X crossing, one for each rock\n";
-    for (std::size_t s = config_.stresses.size(); s-- > 0;) {
+    const std::vector<double> stresses = config_.stresses();
+    for (std::size_t s = stresses.size(); s-- > 0;) {
       char begin[32];
-      std::snprintf(begin, sizeof begin, "%5.1f MPa ", config_.stresses[s] / 1e6);
+      std::snprintf(begin, sizeof begin, "%5.1f MPa ", stresses[s] / 1e6);
       lines += begin;
-      for (const double angle : config_.angles) lines += "  " + letters(angle, config_.stresses[s]);
+      for (const double angle : config_.angles()) lines += "  " + letters(angle, stresses[s]);
       lines += '\n';
     }
     lines += "          ";
-    for (const double angle : config_.angles) {
+    for (const double angle : config_.angles()) {
       std::string head = observe::fixed(angle, 0) + " deg";
       head.resize(static_cast<std::size_t>(config_.study.seeds) + 2, ' ');
       lines += head;
@@ -103,7 +104,7 @@ class CrossingResults {
       s.set(std::string(kind), static_cast<long>(std::ranges::count_if(rocks_, [&](const auto& r) {
               return !r.stopped && name(r) == kind;
             })));
-    for (const double angle : config_.angles)
+    for (const double angle : config_.angles())
       s.set("criterion/" + to_text(angle) + "_deg/least_stress_along_Pa", threshold(angle));
     return s;
   }
@@ -166,11 +167,13 @@ class CrossingResults {
     page.section("Encounters");
     observe::Table table{.caption = "A arrested, O offset, X crossing; one letter for each rock.",
                          .header = {"stress along the crack"}};
-    for (const double angle : config_.angles) table.header.push_back(observe::fixed(angle, 0, "°"));
-    for (std::size_t s = config_.stresses.size(); s-- > 0;) {
-      table.rows.push_back({megapascals(config_.stresses[s])});
-      for (const double angle : config_.angles)
-        table.rows.back().push_back(letters(angle, config_.stresses[s]));
+    for (const double angle : config_.angles())
+      table.header.push_back(observe::fixed(angle, 0, "°"));
+    const std::vector<double> stresses = config_.stresses();
+    for (std::size_t s = stresses.size(); s-- > 0;) {
+      table.rows.push_back({megapascals(stresses[s])});
+      for (const double angle : config_.angles())
+        table.rows.back().push_back(letters(angle, stresses[s]));
     }
     page.table(table);
     add_parameters(page, config_, CrossingConfig{});

@@ -52,10 +52,12 @@ struct JointTestsConfig : SectionTree<JointTestsConfig> {
 
   static constexpr std::array angles{45.0, 60.0, 70.0};  ///< to the minor stress, deg
 
-  /// One specimen of each angle, loaded faster.
+  /// One narrow specimen of each angle, loaded faster.
   static JointTestsConfig quick() {
     JointTestsConfig config;
+    config.specimen.width = 0.1;
     config.load_frame.strain_rate = 0.2;
+    config.load_frame.largest_strain = 0.003;
     config.study.seeds = 1;
     return config;
   }
