@@ -105,7 +105,8 @@ class CrossingResults {
               return !r.stopped && name(r) == kind;
             })));
     for (const double angle : config_.angles())
-      s.set("criterion/" + to_text(angle) + "_deg/least_stress_along_Pa", threshold(angle));
+      s.set("criterion/" + to_text(angle) + "_deg/least_stress_along_Pa",
+            threshold(angle) < 1e9 ? threshold(angle) : NAN);
     return s;
   }
 

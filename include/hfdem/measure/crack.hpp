@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include <hfdem/base/index.hpp>
 #include <hfdem/base/vec2.hpp>
-#include <hfdem/state/contact.hpp>
 
 namespace hfdem::measure {
 
@@ -107,7 +107,7 @@ int broken_off_plane(const Sim& sim) {
   int count = 0;
   for (const auto& b : sim.breaks()) {
     const double away = std::abs(cross(direction, sim.contact_point(b.contact) - origin));
-    const Pair bodies = sim.contact_geometry(b.contact).bodies;
+    const auto bodies = sim.contact_geometry(b.contact).bodies;
     if (away > 0.5 * std::fmin(sim.discs().radius[bodies.first], sim.discs().radius[bodies.second]))
       ++count;
   }

@@ -5,17 +5,13 @@
 
 #include <bit>
 #include <compare>
-#include <cstdint>
 #include <limits>
 
+#include <hfdem/base/index.hpp>
 #include <hfdem/base/pack.hpp>
 #include <hfdem/base/vec2.hpp>
 
 namespace hfdem {
-
-/// Index of a disc, contact, domain; `nothing` stands for none.
-using Index = std::uint32_t;
-inline constexpr Index nothing = ~Index{0};  ///< no disc, contact or domain
 
 /// A disc as a contact law sees it: radius in m.
 struct Disc {
