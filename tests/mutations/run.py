@@ -209,7 +209,6 @@ MUTATIONS = [
     ("friction of a compressed joint", JOINT, "abs(elastic) - params_.friction", "abs(elastic) - 1.05 * params_.friction", "measures/joint_test"),
     ("confinement at the mouth of a joint", "measure/joint_test.hpp", ": mouth;", ": height(rim[k]);", "measures/joint_test"),
     ("disc that hangs by one bond", JOINTS, "own.size() > 1 ||", "own.size() > 0 ||", "specimens/joints"),
-    ("disc that as many bonds hold", JOINTS, "<= 2 * own.size()) continue", "< 2 * own.size()) continue", "specimens/joints"),
     ("normal of a joint gained by a change of sides", JOINTS, "same_end ? -joint->normal : joint->normal", "same_end ? joint->normal : -joint->normal", "specimens/joints"),
     ("place of a joint gained by a change of sides", JOINTS, "dot(0.5 * (s.centre[p.first] + s.centre[p.second])", "dot(0.52 * (s.centre[p.first] + s.centre[p.second])", "specimens/joints"),
     ("exact side of a line", "base/side_of_line.hpp", "rounding = 3.4e-16", "rounding = 0", "specimens/joints"),

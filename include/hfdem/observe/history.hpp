@@ -12,6 +12,7 @@
 
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/observe/interval.hpp>
+#include <hfdem/state/contact.hpp>
 #include <hfdem/state/step.hpp>
 
 namespace hfdem::observe {
