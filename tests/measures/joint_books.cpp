@@ -145,8 +145,8 @@ TEST_CASE("the books close through joints that break, slip, open, close and meet
            {e.boundary, e.fluid, e.elastic, e.friction, e.damping, e.breaks, e.switching})
         CHECK(std::abs(entry) > 1e-6 * ledger.work_done());
       CHECK(e.friction > 0);
-      CHECK(events.broken >= 6);
-      CHECK(events.slipped >= 6);
+      CHECK(events.broken >= 3);
+      CHECK(events.slipped >= 3);
       CHECK(events.opened == (dilation_angle <= 1));  // strong friction lets the crack cross
       CHECK(events.closed);
       CHECK((events.met > before.met) == (specimen.centre == sinking.centre));

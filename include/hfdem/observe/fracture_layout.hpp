@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <hfdem/measure/crack_path.hpp>
+#include <hfdem/observe/chart_layout.hpp>
 #include <hfdem/observe/specimen_layout.hpp>
 #include <hfdem/state/specimen.hpp>
 

@@ -90,6 +90,7 @@ class UniformPressure {
       ++step.mechanical_steps;
       step.unbalanced_ratio = relaxed.unbalanced_ratio;
       give_way(network, injected.total, relaxed.joined_volume);
+      if (has_opened(network, 10 * injected.total)) stop_runaway(network, injected.total);
       const double wanted = injected.total > 0 ? injected.total : network.rest_volume();
       step.volume_error = std::abs(injected.total - network.crack_volume()) / wanted;
       const bool matched = step.volume_error <= *params_.volume_tolerance;
@@ -98,9 +99,8 @@ class UniformPressure {
                                  relaxed.unbalanced_ratio < params_.unbalanced_tolerance
                            : matched;
     } while (!step.converged && step.mechanical_steps < *params_.max_mechanical_steps);
-    // A crack that breaks through may open more for some mechanical steps, until the pressure has
-    // fallen.
-    stop_if_crack_ran_away(network, injected.total);
+    running_away_ = has_opened(network, 2 * injected.total) ? running_away_ + 1 : 0;
+    if (running_away_ > patience) stop_runaway(network, injected.total);
     if (step.converged) turns_ = 0, gain_ = min(1.0, 1.25 * gain_);
     // What turned wet in the last mechanical step has the pressure, too.
     fill(network, network.pressure(network.injection_domain()));
@@ -137,21 +137,23 @@ class UniformPressure {
     return network.pressure(network.injection_domain()) <= 0 && network.crack_volume() > injected;
   }
 
-  void stop_if_crack_ran_away(const Network& network, double injected) {
-    const bool far = network.crack_volume() > 2 * injected + network.rest_volume();
-    running_away_ = far ? running_away_ + 1 : 0;
-    if (running_away_ > patience)
-      throw RunStopped("the crack ran away from its fluid: it has opened " +
-                       in_words(network.crack_volume()) + " m2 while " + in_words(injected) +
-                       " m2 were injected. Either the specimen is splitting, or scheme.alpha is "
-                       "too large or too small for it");
+  /// Whether the crack holds more than so much fluid could fill, m2.
+  static bool has_opened(const Network& network, double volume) {
+    return network.crack_volume() > volume + network.rest_volume();
+  }
+  [[noreturn]] static void stop_runaway(const Network& network, double injected) {
+    throw RunStopped("the crack ran away from its fluid: it has opened " +
+                     in_words(network.crack_volume()) + " m2 while " + in_words(injected) +
+                     " m2 were injected. Either the specimen is splitting, or scheme.alpha is "
+                     "too large or too small for it");
   }
 
   /// Between too much and too little, while a crack advances; more are an oscillation that alpha
   /// feeds, as where soft joints let the rock answer slowly.
   static constexpr int usual_turns = 12;
   static constexpr double least_gain = 1.0 / 16;
-  /// Fluid steps that the pressure is given to catch a crack that breaks through.
+  /// Fluid steps that the pressure is given to catch a crack that breaks through and holds more
+  /// than twice what was injected.
   static constexpr int patience = 10;
 
   Params params_;
