@@ -76,7 +76,7 @@ class CrossingTest(unittest.TestCase):
         least = {angle: summary["criterion"][f"{angle}_deg"]["least_stress_along_Pa"]
                  for angle in (90, 30)}
         self.assertTrue(10e6 < least[90] < 25e6)
-        self.assertGreater(least[30], 0.9e9)
+        self.assertIsNone(least[30])  # it never does
         xml.etree.ElementTree.parse(self.path("whole") / "map.svg")
         report = (self.path("whole") / "report.html").read_text()
         for words in ("Arrested, offset or crossing", "Gu and Weng", "encounters.csv"):

@@ -27,6 +27,7 @@ if READER == "vtk":
 
 KINDS = ["particles", "contacts", "cracks"]
 STATE = "state (0 intact, 1 tension, 2 shear, 3 preset)"
+PLACE = "place (0 rock, 1 joint)"
 STRESS = "stress (Pa, compression positive)"
 MAJOR = "major principal stress (Pa, compression positive)"
 MINOR = "minor principal stress (Pa, compression positive)"
@@ -34,8 +35,9 @@ NORMAL = "normal force (N/m, compression positive)"
 ARRAYS = {  # name: components
     "particles": {"radius (m)": 1, "displacement (m)": 3, "rotation (rad)": 1, STRESS: 9, MAJOR: 1,
                   MINOR: 1},
-    "contacts": {NORMAL: 1, "shear force (N/m)": 1, "bond moment (N m/m)": 1, STATE: 1},
-    "cracks": {"aperture (m)": 1, "pressure (Pa)": 1, "wet (0 dry, 1 wet)": 1, STATE: 1,
+    "contacts": {NORMAL: 1, "shear force (N/m)": 1, "bond moment (N m/m)": 1, STATE: 1,
+                 PLACE: 1},
+    "cracks": {"aperture (m)": 1, "pressure (Pa)": 1, "wet (0 dry, 1 wet)": 1, STATE: 1, PLACE: 1,
                "time of break (s)": 1},
 }
 RADIUS = 5e-3
@@ -113,7 +115,7 @@ read = {"vtk": Vtk, "plain": PlainXml}[READER]
 
 def table(path):
     with open(path, newline="") as file:
-        return [{k: v if k == "mode" else float(v) for k, v in row.items()}
+        return [{k: v if k in ("mode", "place") else float(v) for k, v in row.items()}
                 for row in csv.DictReader(file)]
 
 
