@@ -173,22 +173,30 @@ TEST_CASE("what one step leaves unmet, the next one makes up for") {
         near(2e5 * left / (MockCrack::rest_volume + crack.volume(crack.pressures[9])), 1e-9));
 }
 
-TEST_CASE("a crack that opens far more than was injected stops the run") {
-  // Twice the injected volume, and the volume at rest on top.
-  constexpr double volume = 1e-5, limit = 2 * volume + MockCrack::rest_volume;
-  const auto stops_at = [&](double opened) {
+TEST_CASE("a crack that opens far more than was injected stops the run, at once or in time") {
+  constexpr double volume = 1e-5;
+  // Fluid steps until the run stops; 0 if it does not.
+  const auto steps_to_stop = [&](double opened) {
     UniformPressure scheme({});
     MockCrack crack{.compliance = 0};
     crack.width_at_rest = MockCrack::w0 * (1 + opened / MockCrack::rest_volume);
-    try {
-      advance(scheme, crack, volume);
-    } catch (const hfdem::RunStopped&) {
-      return true;
+    for (int step = 1; step <= 30; ++step) {
+      try {
+        advance(scheme, crack, volume);
+      } catch (const hfdem::RunStopped&) {
+        return step;
+      }
     }
-    return false;
+    return 0;
   };
-  CHECK_FALSE(stops_at(0.999 * limit));
-  CHECK(stops_at(1.001 * limit));
+  // Twice the injected volume, and the volume at rest on top: the pressure has ten steps for it.
+  constexpr double much = 2 * volume + MockCrack::rest_volume;
+  CHECK(steps_to_stop(0.999 * much) == 0);
+  CHECK(steps_to_stop(1.001 * much) == 11);
+  // Ten times the volume: no pressure catches that.
+  constexpr double far_too_much = 10 * volume + MockCrack::rest_volume;
+  CHECK(steps_to_stop(0.999 * far_too_much) == 11);
+  CHECK(steps_to_stop(1.001 * far_too_much) == 1);
 }
 
 TEST_CASE("one pressure fills all wet domains at every mechanical step, new ones included") {

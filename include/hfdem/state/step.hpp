@@ -7,9 +7,9 @@ namespace hfdem {
 /// What one mechanical step tells a pressure scheme. Everything is measured at the start of the
 /// step, except the network's widths, which are those of its end.
 struct Relaxed {
-  double unbalanced_ratio;  ///< largest resultant on a disc over the mean contact force
-  int breaks;               ///< bonds broken in this step
-  double joined_volume;     ///< of dry joints that the fluid reached in this step, m2
+  double unbalanced_ratio;   ///< largest resultant on a disc over the mean contact force
+  int breaks;                ///< bonds broken in this step
+  double joined_volume = 0;  ///< of dry joints that the fluid reached in this step, m2
 };
 
 /// Injection so far and in the present fluid step, m2 (per m of thickness).
