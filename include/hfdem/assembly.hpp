@@ -130,7 +130,7 @@ class Assembly {
   const Specimen& specimen() const { return specimen_; }  ///< as it was bonded
   const Discs& discs() const { return discs_; }           ///< and platens
   /// Between discs of the rock.
-  const ContactRange<Contact>& contacts() const { return rock_; }
+  const ContactRange<RockLawOf<Contact>>& contacts() const { return rock_; }
   /// Between discs with a natural fracture between them.
   const JointContacts<JointLawOf<Contact>>& joints() const { return joints_; }
   /// Whether a contact between discs is a joint.
@@ -200,7 +200,7 @@ class Assembly {
   }
 
  private:
-  ContactRange<Contact> make_rock(const Contact& law) {
+  ContactRange<RockLawOf<Contact>> make_rock(const Contact& law) {
     const auto rock = geometry().first(parted_.of_rock);
     std::vector<typename Contact::template Stiffness<double>> stiffness;
     for (const auto& c : rock) {
@@ -211,7 +211,7 @@ class Assembly {
       uniform_strain_.add(c.frame, law.springs(stiffness.back()), 2 * c.frame.arm_mean,
                           specimen_.width * specimen_.height);
     }
-    ContactRange<Contact> range(law, 0, rock, stiffness);
+    ContactRange<RockLawOf<Contact>> range(law, 0, rock, stiffness);
     forces_.add(rock, 0, range.padded_size());
     return range;
   }
@@ -276,7 +276,7 @@ class Assembly {
   Loading loading_;
   ForceRows forces_;
   UniformStrainModulus uniform_strain_;
-  ContactRange<Contact> rock_;
+  ContactRange<RockLawOf<Contact>> rock_;
   JointContacts<JointLawOf<Contact>> joints_;
   ContactRange<SmoothPlaten> platens_;
   DiscMotion motion_;

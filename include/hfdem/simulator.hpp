@@ -140,7 +140,7 @@ class Simulator {
   const Specimen& specimen() const { return assembly_.specimen(); }  ///< before it was bonded
   const Discs& discs() const { return assembly_.discs(); }           ///< bodies and their motion
   /// Between discs of the rock; the flow channel of contact c is channel c.
-  const ContactRange<Contact>& contacts() const { return assembly_.contacts(); }
+  const ContactRange<RockLawOf<Contact>>& contacts() const { return assembly_.contacts(); }
   /// Between discs with a natural fracture between them; none if the contact law has no joints.
   const JointContacts<JointLawOf<Contact>>& joints() const { return assembly_.joints(); }
   /// Whether a contact, or its flow channel, is a joint: the number of joint 0 is

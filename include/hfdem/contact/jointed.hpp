@@ -23,6 +23,7 @@ namespace hfdem {
 template <ContactLaw Rock, JointLaw Joint = SmoothJoint>
 class Jointed : public Rock {
  public:
+  using RockPolicy = Rock;    ///< as composed
   using JointPolicy = Joint;  ///< as composed
 
   /// @param rock validated parameters of the grains' law
@@ -97,16 +98,22 @@ class NoJoint {
 namespace detail {
 template <class Contact>
 struct JointOf {
+  using Rock = Contact;
   using Law = NoJoint;
   static Law of(const Contact&) { return Law{}; }
 };
 template <HasJoints Contact>
 struct JointOf<Contact> {
+  using Rock = typename Contact::RockPolicy;
   using Law = typename Contact::JointPolicy;
   static Law of(const Contact& contact) { return contact.joint(); }
 };
 }  // namespace detail
 
+/// What bonded grains obey: the contact law itself, or the rock's where it has joints. Their loop
+/// is then the same code with joints and without.
+template <class Contact>
+using RockLawOf = typename detail::JointOf<Contact>::Rock;
 /// The joint law of any contact law: `NoJoint` where it has none.
 template <class Contact>
 using JointLawOf = typename detail::JointOf<Contact>::Law;

@@ -60,15 +60,15 @@ struct ContactInstant {
 /// What a ledger has to know of one instant: that of a mechanical step before anything moves.
 template <class Law>
 struct EnergyInstant {
-  long step = 0;                              ///< mechanical steps made before
-  double kinetic = 0;                         ///< kinetic energy, J per m
-  std::vector<Pack> place;                    ///< displacements of discs and platens
-  std::vector<Pack> damped;                   ///< per disc: what damping takes from the resultant
-  std::vector<Vec2> fluid;                    ///< per disc: force of the fluid, N per m
-  std::array<Pack, 4> platen_force{};         ///< of the discs on each platen
-  std::vector<ContactInstant<Law>> contacts;  ///< between discs of the rock
-  std::vector<ContactInstant<JointLawOf<Law>>> joints;  ///< between discs on a natural fracture
-  std::vector<ContactInstant<SmoothPlaten>> platens;    ///< on platens
+  long step = 0;                       ///< mechanical steps made before
+  double kinetic = 0;                  ///< kinetic energy, J per m
+  std::vector<Pack> place;             ///< displacements of discs and platens
+  std::vector<Pack> damped;            ///< per disc: what damping takes from the resultant
+  std::vector<Vec2> fluid;             ///< per disc: force of the fluid, N per m
+  std::array<Pack, 4> platen_force{};  ///< of the discs on each platen
+  std::vector<ContactInstant<RockLawOf<Law>>> contacts;  ///< between discs of the rock
+  std::vector<ContactInstant<JointLawOf<Law>>> joints;   ///< between discs on a natural fracture
+  std::vector<ContactInstant<SmoothPlaten>> platens;     ///< on platens
 
   /// All of it.
   void exchange(auto& archive) {
@@ -173,7 +173,7 @@ class EnergyLedger {
   void book(const Sim& sim) {
     const double boundary = entries_.boundary, fluid = entries_.fluid;
     book_bodies(sim);
-    book_contacts<Law>(sim.contacts().law(), before_.contacts, now_.contacts);
+    book_contacts<RockLawOf<Law>>(sim.contacts().law(), before_.contacts, now_.contacts);
     book_contacts<JointLawOf<Law>>(sim.joints().contacts().law(), before_.joints, now_.joints);
     book_contacts<SmoothPlaten>(sim.platens().law(), before_.platens, now_.platens);
     work_done_ += std::abs(entries_.boundary - boundary) + std::abs(entries_.fluid - fluid);
