@@ -106,7 +106,7 @@ void fluid_alone(benchmark::State& state) {
     return {.unbalanced_ratio = 1, .breaks = 0};
   };
   // Twice the volume never fits into a crack that does not move: every step is of full length.
-  const Injected injected{.total = 2 * simulator.injected_volume(), .step = 0};
+  const Injected injected{.total = 2 * simulator.injected_volume(), .step = 0, .dt = 0};
   for (auto _ : state) {
     benchmark::DoNotOptimize(scheme.advance(network, injected, relax));
     benchmark::ClobberMemory();

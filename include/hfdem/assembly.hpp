@@ -19,6 +19,7 @@
 #include <hfdem/mechanics/uniform_strain.hpp>
 #include <hfdem/setup/bonding.hpp>
 #include <hfdem/state/concepts.hpp>
+#include <hfdem/state/step.hpp>
 
 namespace hfdem {
 
@@ -48,8 +49,10 @@ class Assembly {
         joints_(make_joints(joint_law(law))),
         platens_(make_platens()) {
     forces_.arrange();
-    motion_ =
-        DiscMotion(discs_, step_fraction * stable_step(largest_frequency(), damping), damping);
+    const FrequencyBound bound = frequency_bound();
+    motion_ = DiscMotion(discs_, step_fraction * stable_step(bound.value(), damping), damping);
+    springs_ = {bound, discs_};
+    step_factor_ = step_fraction * stable_step(1, damping);
     for (const Side side : all_sides) motion_.leave_out(loading_.rim(side));
   }
 
@@ -69,6 +72,19 @@ class Assembly {
 
   /// Sets the force that the fluid exerts on a disc, N per m, beside a dead load.
   void push(Index disc, Vec2 fluid) { discs_.load[disc] = loading_.dead_load(disc) + fluid; }
+
+  /// Keeps the mechanical step stable where a fluid is a further spring between discs.
+  /// @param for_each_spring calls its argument with contact and stiffness, N/m per m, of each
+  template <class ForEachSpring>
+  void carry(ForEachSpring&& for_each_spring) {
+    for_each_spring(
+        [&](Index contact, double stiffness) { springs_.add(geometry()[contact], stiffness); });
+    const double longest = step_factor_ / springs_.take(discs_);
+    // A step that changes all the time costs a pass over all discs each time.
+    constexpr double margin = 0.95, worth_it = 1.1;
+    if (longest < dt() || margin * longest > worth_it * dt())
+      motion_.set_dt(discs_, margin * longest);
+  }
 
   /// Moves platens and discs by one time step.
   /// @param settling frozen platens still move then
@@ -172,6 +188,24 @@ class Assembly {
     return {max(0.0, response.normal_stress * width), gap, dilation};
   }
 
+  /// How fast the compression of an opening falls with its gap, N/m per m.
+  double closing_stiffness(Index contact) const {
+    if (!is_joint(contact)) return rock_.law().springs(rock_.stiffness(contact)).normal;
+    const auto [first, second] = joints_.pair(contact - rock_.size()).bodies;
+    const JointLawOf<Contact>& law = joints_.contacts().law();
+    return law.springs(law.stiffness(2 * std::fmin(discs_.radius[first], discs_.radius[second])))
+        .normal;
+  }
+
+  /// How the rock answers, roughly.
+  RockResponse response() const {
+    double mass = 0;
+    for (const double m : discs_.mass) mass += m;
+    const double modulus = 1 / uniform_shortening({.xx = 1, .yy = 0}).x;
+    const double density = mass / (specimen_.width * specimen_.height);
+    return {modulus, std::sqrt(modulus / density) * dt()};
+  }
+
   /// Mean size of the force in the contacts between discs at the last mechanical step, N per m.
   double mean_contact_force() const {
     double sum = 0;
@@ -196,7 +230,9 @@ class Assembly {
 
   /// Everything that moves, breaks or is held; discs that are driven must be driven anew.
   void exchange(auto& archive) {
-    archive(discs_, loading_, forces_, rock_, joints_, platens_, steps_);
+    double dt = motion_.dt();
+    archive(discs_, loading_, forces_, rock_, joints_, platens_, steps_, dt);
+    motion_.set_dt(discs_, dt);
   }
 
  private:
@@ -252,7 +288,7 @@ class Assembly {
     return platens;
   }
 
-  double largest_frequency() const {
+  FrequencyBound frequency_bound() const {
     FrequencyBound bound(discs_);
     for (std::size_t c = 0; c < rock_.size(); ++c)
       bound.add(geometry()[c], rock_.law().springs(rock_.stiffness(c)));
@@ -264,7 +300,7 @@ class Assembly {
     }
     for (std::size_t c = 0; c < platens_.size(); ++c)
       bound.add(platen_geometry_[c], platens_.law().springs(platens_.stiffness(c)));
-    return bound.value();
+    return bound;
   }
 
   Disc disc(Index i) const { return {specimen_.radius[i]}; }
@@ -280,6 +316,8 @@ class Assembly {
   JointContacts<JointLawOf<Contact>> joints_;
   ContactRange<SmoothPlaten> platens_;
   DiscMotion motion_;
+  SpringBound springs_;
+  double step_factor_ = 0;  ///< mechanical time step times the largest frequency
   /// Discs move by less than a thousandth of their radius meanwhile.
   static constexpr long between_meetings = 100;
   long steps_ = 0;

@@ -41,6 +41,7 @@
 #include <hfdem/observe/report.hpp>
 #include <hfdem/observe/specimen_picture.hpp>
 #include <hfdem/observe/stress_map.hpp>
+#include <hfdem/pressure/conventional.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
 #include <hfdem/pressure/uniform.hpp>
@@ -53,6 +54,9 @@
 // The headers that need a package.
 #if __has_include(<nanoflann.hpp>)
 #include <hfdem/neighbours/kd_tree.hpp>
+#endif
+#if __has_include(<Eigen/SparseCholesky>)
+#include <hfdem/pressure/implicit.hpp>
 #endif
 #if __has_include(<boost/geometry/index/rtree.hpp>)
 #include <hfdem/setup/joints.hpp>

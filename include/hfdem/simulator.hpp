@@ -75,8 +75,10 @@ class Simulator {
       mean_contact_force_ = mean_contact_force();
       mean_contact_force_until_ = mechanical_steps_ + mean_contact_force_lifetime;
     }
-    return pressure_.advance(network_, Injected{injected_, injected},
-                             [&] { return relax(false, observers...); });
+    const FluidStep result = pressure_.advance(network_, Injected{injected_, injected, dt},
+                                               [&] { return relax(false, observers...); });
+    if constexpr (BalancesVolume<Pressure>) detail::stop_unless_balanced(volume_balance(), time_);
+    return result;
   }
 
   /// Steps until `end_time`, s. An observer is told after every fluid step through
@@ -160,6 +162,10 @@ class Simulator {
   std::span<const BondBreak> breaks() const { return breaks_; }
   std::span<const Index> preset_contacts() const { return preset_; }  ///< cut before the run
   double injected_volume() const { return injected_; }                ///< V_f, m2
+  /// Where the fluid is; only with a scheme that keeps account of it.
+  VolumeBalance volume_balance() const requires BalancesVolume<Pressure> {
+    return pressure_.balance(network_, injected_);
+  }
   /// Pressure of the domain that receives the fluid, Pa.
   double injection_pressure() const { return network_.pressure(network_.injection_domain()); }
   /// Direction of the preset crack.
@@ -208,7 +214,7 @@ class Simulator {
         assembly_(specimen, bonded_contacts<Neighbours>(specimen), contact_law(params),
                   params.boundary, params.mechanics.damping, params.mechanics.step_fraction),
         aperture_(params.aperture),
-        pressure_(params.scheme) {
+        pressure_(make_pressure()) {
     make_network();
   }
 
@@ -217,6 +223,13 @@ class Simulator {
       return Contact(params.contact, params.joints);
     else
       return Contact(params.contact);
+  }
+
+  Pressure make_pressure() const {
+    if constexpr (FlowScheme<Pressure>)
+      return Pressure(params_.scheme, FluidOf<Pressure>(params_.fluid), assembly_.response());
+    else
+      return Pressure(params_.scheme);
   }
 
   void make_network() {
@@ -251,12 +264,33 @@ class Simulator {
     if (broken > 0 && Pressure::holds_fluid) detail::stop_at_rim(network_, time_);
     const double joined = flood_joints(wet_before);
     for (const Index i : network_.pushed_discs()) push(i);
+    carry_fluid();
     (tell_mechanical_step(observers, *this), ...);
     const double largest = assembly_.move(settling, threads_);
     detail::stop_unless_finite(largest, time_);
     refresh_widths();
     ++(settling ? settling_steps_ : mechanical_steps_);
     return {largest == 0 ? 0 : largest / mean_contact_force_, static_cast<int>(broken), joined};
+  }
+
+  /// A fluid that is squeezed between discs before it can flow is a spring there.
+  void carry_fluid() {
+    if constexpr (requires { pressure_.for_each_spring([](Index, double) {}); })
+      assembly_.carry([&](auto&& add) {
+        pressure_.for_each_spring(
+            [&](Index c, double stiffness) { add(c, stiffness * steepness(c)); });
+      });
+  }
+
+  /// How much faster a channel's width changes than its gap, at least 1.
+  double steepness(Index channel) const {
+    const auto o = assembly_.opening(channel);
+    if (o.compression <= 0) return 1;
+    constexpr double nearer = 1e-9;  // m
+    const double w0 = network_.rest_width(channel) + o.dilation;
+    const double more = o.compression + nearer * assembly_.closing_stiffness(channel);
+    return max(1.0,
+               (aperture_.width(w0, o.compression, 0) - aperture_.width(w0, more, 0)) / nearer);
   }
 
   void push(Index disc) { assembly_.push(disc, network_.force_on(disc)); }

@@ -10,6 +10,7 @@
 #include <hfdem/setup/preset_crack.hpp>
 #include <hfdem/state/contact.hpp>
 #include <hfdem/state/network.hpp>
+#include <hfdem/state/volume_balance.hpp>
 
 namespace hfdem::detail {
 
@@ -45,6 +46,14 @@ inline void stop_unless_finite(double force, double time) {
   if (!std::isfinite(force))
     throw RunStopped("a force is not a finite number at t = " + in_words(time) +
                      " s: the mechanical step is unstable, or the specimen has come apart");
+}
+
+/// A scheme that loses fluid, or makes it.
+inline void stop_unless_balanced(const VolumeBalance& balance, double time) {
+  constexpr double round_off = 1e-10;
+  if (!(balance.relative_error() <= round_off))
+    throw RunStopped("the volumes of the fluid do not balance at t = " + in_words(time) + " s: " +
+                     in_words(100 * balance.relative_error()) + " % of what came in is missing");
 }
 
 }  // namespace hfdem::detail

@@ -6,9 +6,11 @@
 
 #include <hfdem/base/fields.hpp>
 #include <hfdem/contact/jointed.hpp>
+#include <hfdem/fluid/newtonian.hpp>
 #include <hfdem/mechanics/loading.hpp>
 #include <hfdem/setup/flow_domains.hpp>
 #include <hfdem/setup/preset_crack.hpp>
+#include <hfdem/state/concepts.hpp>
 #include <hfdem/state/fluid.hpp>
 #include <hfdem/state/specimen.hpp>
 
@@ -34,6 +36,20 @@ struct Mechanics {
   }
 };
 
+/// The law of a scheme's fluid; a scheme that asks for none takes any, and uses nothing of it.
+template <class Pressure>
+struct FluidOfScheme {
+  using type = NewtonianFluid;  ///< it
+};
+/// The scheme's own.
+template <FlowScheme Pressure>
+struct FluidOfScheme<Pressure> {
+  using type = typename Pressure::Fluid;  ///< it
+};
+/// That of a scheme.
+template <class Pressure>
+using FluidOf = typename FluidOfScheme<Pressure>::type;
+
 /// One section per policy and per part of the model.
 template <class Contact, class Aperture, class Pressure>
 struct SimulatorParams {
@@ -42,12 +58,12 @@ struct SimulatorParams {
   typename Aperture::Params aperture{};           ///< of the aperture law
   FlowChannels channels{};                        ///< of the fluid network
   Loading::Params boundary{};                     ///< what holds the specimen
-  Stress in_situ{};                    ///< before injection, and on the boundary during it
-  PresetCrack crack{};                 ///< where the fluid enters
-  Injection injection{};               ///< how much of it, and where
-  Fluid fluid{};                       ///< its properties
-  Mechanics mechanics{};               ///< mechanical steps
-  typename Pressure::Params scheme{};  ///< of the pressure scheme
+  Stress in_situ{};                            ///< before injection, and on the boundary during it
+  PresetCrack crack{};                         ///< where the fluid enters
+  Injection injection{};                       ///< how much of it, and where
+  typename FluidOf<Pressure>::Params fluid{};  ///< its properties
+  Mechanics mechanics{};                       ///< mechanical steps
+  typename Pressure::Params scheme{};          ///< of the pressure scheme
 
   /// The table of these sections.
   static constexpr auto sections() {

@@ -28,8 +28,10 @@
 #include <hfdem/measure/running_crack.hpp>
 #include <hfdem/measure/slit_modulus.hpp>
 #include <hfdem/measure/toughness.hpp>
+#include <hfdem/pressure/conventional.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
+#include <hfdem/pressure/implicit.hpp>
 #include <hfdem/pressure/uniform.hpp>
 #include <hfdem/setup/random_fractures.hpp>
 #include <hfdem/setup/random_packing.hpp>
@@ -48,12 +50,13 @@ namespace {
 using AllParams =
     std::tuple<LinearParallelBond::Params, HyperbolicAperture::Params, Dry::Params,
                HeldPressure::Params, UniformPressure::Params, Loading::Params, Mechanics, Stress,
-               FlowChannels, PresetCrack, Injection, Fluid, SquareArray, RandomPacking,
-               measure::SlitSeries, measure::CircleGrid, measure::LoadFrame, BrazilianDisc,
-               ScatteredParallelBond::Params, analytic::KgdProblem, analytic::LatticeFracture,
-               analytic::OrthotropicPlane, analytic::ToughnessLaw, analytic::RockFracture,
-               measure::HeldSlits, measure::RunningRange, RandomFractures, SmoothJoint::Params,
-               NoJoint::Params>;
+               FlowChannels, PresetCrack, Injection, NewtonianFluid::Params, SquareArray,
+               RandomPacking, measure::SlitSeries, measure::CircleGrid, measure::LoadFrame,
+               BrazilianDisc, ScatteredParallelBond::Params, analytic::KgdProblem,
+               analytic::LatticeFracture, analytic::OrthotropicPlane, analytic::ToughnessLaw,
+               analytic::RockFracture, measure::HeldSlits, measure::RunningRange, RandomFractures,
+               SmoothJoint::Params, NoJoint::Params, ConventionalFlow<>::Params,
+               ImplicitFlow<>::Params>;
 
 /// Parameters in range: the defaults, but for descriptions of a rock, which have none.
 template <class P>

@@ -34,9 +34,18 @@ class DiscMotion {
   /// @param dt mechanical time step, s
   /// @param damping local damping coefficient d
   DiscMotion(const Discs& discs, double dt, double damping)
-      : dt_(dt), damping_(damping), largest_in_chunk_((discs.size() + grain - 1) / grain) {
+      : damping_(damping),
+        dt_over_inertia_(discs.size(), {1, 1}),
+        largest_in_chunk_((discs.size() + grain - 1) / grain) {
+    set_dt(discs, dt);
+  }
+
+  /// Changes the mechanical time step, s.
+  void set_dt(const Discs& discs, double dt) {
+    dt_ = dt;
     for (std::size_t i = 0; i < discs.size(); ++i)
-      dt_over_inertia_.push_back({dt / discs.mass[i], dt / discs.inertia(i)});
+      if (auto& of_disc = dt_over_inertia_[i]; of_disc.translation > 0)
+        of_disc = {dt / discs.mass[i], dt / discs.inertia(i)};
   }
 
   double dt() const { return dt_; }  ///< mechanical time step, s

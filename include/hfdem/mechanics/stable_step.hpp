@@ -34,14 +34,20 @@ class FrequencyBound {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const Row& r = rows_[i];
       const double scale = rotation_scale / discs_.radius[i];
-      const double x = r.xx + r.x_others + scale * std::abs(r.x_rotation);
-      const double y = r.yy + r.y_others + scale * std::abs(r.y_rotation);
       const double rotation = r.rotation + r.rotation_others +
                               (std::abs(r.x_rotation) + std::abs(r.y_rotation)) / scale;
-      largest = std::fmax(largest, std::fmax(x, y) / discs_.mass[i]);
+      largest = std::fmax(largest, translation(i) / discs_.mass[i]);
       largest = std::fmax(largest, rotation / discs_.inertia(i));
     }
     return std::sqrt(largest);
+  }
+
+  /// What the bound has for a disc's two translations, N/m per m.
+  double translation(std::size_t disc) const {
+    const Row& r = rows_[disc];
+    const double scale = rotation_scale / discs_.radius[disc];
+    return std::fmax(r.xx + r.x_others + scale * std::abs(r.x_rotation),
+                     r.yy + r.y_others + scale * std::abs(r.y_rotation));
   }
 
  private:
@@ -80,6 +86,45 @@ class FrequencyBound {
 
   const Discs& discs_;
   std::vector<Row> rows_;
+};
+
+/// The same bound with normal springs that come and go: those of a fluid between discs.
+class SpringBound {
+ public:
+  SpringBound() = default;
+  /// @param contacts the bound without such springs
+  /// @param discs of which it is
+  SpringBound(const FrequencyBound& contacts, const Discs& discs)
+      : without_(contacts.value()), added_(discs.size()) {
+    for (std::size_t i = 0; i < discs.size(); ++i) translation_.push_back(contacts.translation(i));
+  }
+
+  /// Adds a spring, N/m per m.
+  void add(const ContactGeometry& contact, double stiffness) {
+    const double x = std::abs(contact.frame.normal_x), y = std::abs(contact.frame.normal_y);
+    for (const Index disc : {contact.bodies.first, contact.bodies.second}) {
+      if (added_[disc].x == 0 && added_[disc].y == 0) touched_.push_back(disc);
+      added_[disc] = added_[disc] + 2 * stiffness * (x + y) * Vec2{x, y};
+    }
+  }
+
+  /// The bound for the springs added since the last call, 1/s; forgets them.
+  double take(const Discs& discs) {
+    double largest = without_ * without_;
+    for (const Index i : touched_) {
+      const double added = std::fmax(added_[i].x, added_[i].y);
+      largest = std::fmax(largest, (translation_[i] + added) / discs.mass[i]);
+      added_[i] = {};
+    }
+    touched_.clear();
+    return std::sqrt(largest);
+  }
+
+ private:
+  double without_ = 0;
+  std::vector<double> translation_;
+  std::vector<Vec2> added_;
+  std::vector<Index> touched_;
 };
 
 /// Longest stable step of central differences with local damping, s: 2 / (w sqrt(1 + d)).

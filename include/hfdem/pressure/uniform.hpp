@@ -25,6 +25,7 @@
 #include <hfdem/base/pack.hpp>
 #include <hfdem/state/network.hpp>
 #include <hfdem/state/step.hpp>
+#include <hfdem/state/volume_balance.hpp>
 
 namespace hfdem {
 
@@ -105,6 +106,14 @@ class UniformPressure {
     // What turned wet in the last mechanical step has the pressure, too.
     fill(network, network.pressure(network.injection_domain()));
     return step;
+  }
+
+  /// Where the fluid is. @param injected so far, m2
+  VolumeBalance balance(const Network& network, double injected) const {
+    return {.injected = injected,
+            .initial = network.filled_volume(),
+            .stored = network.total_volume(),
+            .unmet = injected - network.crack_volume()};
   }
 
   /// What the control remembers; the pressure is the network's.

@@ -11,6 +11,7 @@
 #include <hfdem/state/network.hpp>
 #include <hfdem/state/specimen.hpp>
 #include <hfdem/state/step.hpp>
+#include <hfdem/state/volume_balance.hpp>
 
 namespace hfdem {
 
@@ -27,6 +28,33 @@ concept gives_width = requires(const A& law, double value) {
 template <class A>
 concept ApertureLaw = has_described_params<A> && constructible_from_params<A> &&
     gives_rest_width<A> && gives_width<A>;
+
+// ---- fluid law ---------------------------------------------------------------------------------
+
+/// `conductance(width, length, drop, pressure)` gives the flow through a channel per pressure drop,
+/// m2/(s Pa).
+template <class F>
+concept gives_conductance = requires(const F& law, double value) {
+  { law.conductance(value, value, value, value) }
+  noexcept->std::same_as<double>;
+};
+
+/// `filling(pressure)` gives what a room holds over what it holds at zero pressure,
+/// `pressure(filling)` its inverse, `modulus(pressure)` pressure per filling, Pa.
+template <class F>
+concept is_compressible = requires(const F& law, double value) {
+  { law.filling(value) }
+  noexcept->std::same_as<double>;
+  { law.pressure(value) }
+  noexcept->std::same_as<double>;
+  { law.modulus(value) }
+  noexcept->std::same_as<double>;
+};
+
+/// How a fluid flows through channels, and how pressure compresses it.
+template <class F>
+concept FluidLaw = has_described_params<F> && constructible_from_params<F> &&
+    gives_conductance<F> && is_compressible<F>;
 
 // ---- pressure scheme --------------------------------------------------------------------------
 
@@ -55,10 +83,32 @@ concept advances_fluid = requires(S& scheme, Network& network, const Injected& i
   { scheme.advance(network, injected, relax) } -> std::same_as<FluidStep>;
 };
 
+/// A scheme with a fluid that flows, a nested `Fluid`, is made from its parameters, the fluid and
+/// how the rock answers.
+template <class S>
+concept constructible_with_fluid = FluidLaw<typename S::Fluid> &&
+    std::constructible_from<S, const typename S::Params&, const typename S::Fluid&,
+                            const RockResponse&>;
+
+/// What every scheme needs, however it is made.
+template <class S>
+concept advances_pressure = has_described_params<S> && says_whether_it_holds_fluid<S> &&
+    gives_fluid_dt<S> && advances_fluid<S>;
+
+/// A scheme whose fluid flows.
+template <class S>
+concept FlowScheme = advances_pressure<S> && constructible_with_fluid<S>;
+
 /// How the fluid's pressure evolves in a fluid step.
 template <class S>
-concept PressureScheme = has_described_params<S> && constructible_from_params<S> &&
-    says_whether_it_holds_fluid<S> && gives_fluid_dt<S> && advances_fluid<S>;
+concept PressureScheme = advances_pressure<S> &&
+    (constructible_from_params<S> || constructible_with_fluid<S>);
+
+/// A scheme that keeps account of its volumes: `balance(network, injected)`.
+template <class S>
+concept BalancesVolume = requires(const S& scheme, const Network& network, double injected) {
+  { scheme.balance(network, injected) } -> std::same_as<VolumeBalance>;
+};
 
 // ---- neighbour search -------------------------------------------------------------------------
 

@@ -1,5 +1,5 @@
 /// @file
-/// The injected fluid, and where and how fast it is injected.
+/// Where and how fast the fluid is injected.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,6 @@
 #include <hfdem/base/fields.hpp>
 
 namespace hfdem {
-
-/// Defaults: supercritical carbon dioxide, the paper's Table 2. The uniform-pressure algorithm is
-/// the limit of no viscosity and no compressibility; it uses neither.
-struct Fluid {
-  double viscosity = 6e-5;
-  double bulk_modulus = 2e9;
-
-  static constexpr auto fields() {
-    return std::tuple{
-        Field{"viscosity", &Fluid::viscosity, "Pa s", positive, "dynamic viscosity"},
-        Field{"bulk_modulus", &Fluid::bulk_modulus, "Pa", positive, "bulk modulus of the fluid"}};
-  }
-};
 
 /// Where the fluid goes in, and how fast.
 struct Injection {

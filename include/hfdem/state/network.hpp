@@ -124,6 +124,10 @@ class Network {
   double total_volume() const {
     return sum([&](Index c) { return width_[c]; });
   }
+  /// What was filled in the wet channels before the injected fluid came, m2.
+  double filled_volume() const {
+    return sum([&](Index c) { return filled_width_[c]; });
+  }
   /// The volume that the wet channels have at zero contact force, m2.
   double rest_volume() const {
     return sum([&](Index c) { return rest_width_[c]; });

@@ -16,6 +16,13 @@ struct Relaxed {
 struct Injected {
   double total;  ///< up to the end of this step: V_f
   double step;   ///< in this step
+  double dt;     ///< length of this step, s
+};
+
+/// How the rock answers, roughly: what a scheme that guesses ahead starts from.
+struct RockResponse {
+  double modulus;    ///< plane modulus, Pa
+  double wave_step;  ///< how far a wave travels in a mechanical step, m
 };
 
 /// How a fluid step went.
@@ -24,6 +31,7 @@ struct FluidStep {
   bool converged = true;        ///< the scheme's own tolerances were met
   double volume_error = 0;      ///< |V_f - V_c| / V_f
   double unbalanced_ratio = 0;  ///< at the last mechanical step
+  long flow_steps = 0;          ///< explicit steps of the flow, or systems of equations solved
 };
 
 }  // namespace hfdem

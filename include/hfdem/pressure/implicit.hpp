@@ -1,0 +1,281 @@
+/// @file
+/// Implicit flow: backward Euler on the channel network, with the rock's answer in the Jacobian.
+/// Any viscosity, any fluid time step.
+///
+/// What each domain is to store at the end of a step, S* plus the flow at the new pressures, has to
+/// fit into the room that the rock leaves it at these pressures:
+///
+///   r(P) = S* + dt (net inflow at P) - V_d(P) filling(P) = 0
+///
+/// Each mechanical step makes one Newton step towards that,
+///
+///   [T C + diag(V_d / K_f) + dt L(w)] dP = r,
+///
+/// L being the Laplacian of the conductances, C a model of how the room answers pressure: that of a
+/// straight crack as a whole, and of each domain on its own,
+///
+///   C = c_u 1 1^T + c_l I,  c_l = 8 l_p^2 / E',  1^T C 1 = 2 pi a^2 / E'.
+///
+/// The rock answers when a wave has run along the crack, so T = 0.3 of the steps which that takes.
+/// The model guides the search alone: what counts is r, and the balance of forces. Domains at the
+/// least pressure that are not full stay out of the system. It is sparse, symmetric and positive
+/// definite but for the rank one of c_u, for which Sherman and Morrison's formula stands. Domains
+/// are eliminated from the tips inwards: a crack without loops fills nothing in, and the mirror
+/// images of a symmetric one get the same bits.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <hfdem/base/fields.hpp>
+#include <hfdem/base/pack.hpp>
+#include <hfdem/fluid/newtonian.hpp>
+#include <hfdem/pressure/stored_fluid.hpp>
+#include <hfdem/state/concepts.hpp>
+#include <hfdem/state/step.hpp>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+namespace hfdem {
+
+/// A `FlowScheme`: implicit.
+/// @tparam FluidPolicy law of the fluid
+template <FluidLaw FluidPolicy = NewtonianFluid>
+class ImplicitFlow {
+ public:
+  using Fluid = FluidPolicy;  ///< as composed
+
+  /// Step, tolerances and floor.
+  struct Params {
+    double fluid_dt = 1e-4;
+    double volume_tolerance = 1e-3;
+    double unbalanced_tolerance = 1e-3;
+    int max_mechanical_steps = 1000;
+    double pressure_floor = 0;
+
+    static constexpr auto fields() {
+      using P = Params;
+      return std::tuple{
+          Field{"fluid_dt", &P::fluid_dt, "s", positive,
+                "longest fluid time step; shorter where one does not converge"},
+          Field{"volume_tolerance", &P::volume_tolerance, "", Range{0, 1, true},
+                "largest volume without its room at the end of a fluid step, over that injected"},
+          Field{"unbalanced_tolerance", &P::unbalanced_tolerance, "", positive,
+                "largest resultant on a disc over the mean contact force at equilibrium"},
+          Field{"max_mechanical_steps", &P::max_mechanical_steps, "", Range{1},
+                "mechanical steps after which a fluid step ends in any case"},
+          Field{"pressure_floor", &P::pressure_floor, "Pa", any_number,
+                "least pressure of the fluid; far below zero, as -1e12, for none"}};
+    }
+  };
+  static constexpr bool holds_fluid = true;  ///< needs a crack to enter
+
+  /// @param params validated
+  /// @param law of the fluid
+  /// @param rock how it answers, roughly; a modulus of infinity for walls that do not move
+  ImplicitFlow(const Params& params, const Fluid& law, const RockResponse& rock)
+      : params_(params), law_(law), rock_(rock), dt_(params.fluid_dt) {}
+
+  /// Length of the next fluid step, s.
+  double fluid_dt(double) const { return dt_; }
+
+  /// Finds the pressures at the end of the step: one Newton step, one mechanical step, again until
+  /// volumes and forces are met.
+  /// @throws RunStopped if the equations have no solution
+  template <class Relax>
+  FluidStep advance(Network& network, const Injected& injected, Relax&& relax) {
+    fluid_.join(network);
+    fluid_.find_room(network);
+    fluid_.inject(injected.step);
+    FluidStep step;
+    do {
+      find_flow(network);
+      find_residual(injected.dt);
+      solve(injected.dt);
+      publish(network);
+      const Relaxed relaxed = relax();
+      fluid_.join(network);
+      fluid_.find_room(network);
+      find_flow(network);
+      find_residual(injected.dt);
+      ++step.mechanical_steps;
+      step.unbalanced_ratio = relaxed.unbalanced_ratio;
+      step.volume_error = missing_room() / injected.total;
+      step.converged = step.volume_error <= params_.volume_tolerance &&
+                       relaxed.unbalanced_ratio < params_.unbalanced_tolerance;
+    } while (!step.converged && step.mechanical_steps < params_.max_mechanical_steps);
+    step.flow_steps = step.mechanical_steps;
+    let_flow(injected.dt);
+    publish(network);
+    constexpr double shorter = 0.5, longer = 1.25, shortest = 1.0 / 1024;
+    dt_ = clamp(dt_ * (step.converged ? longer : shorter), shortest * params_.fluid_dt,
+                params_.fluid_dt);
+    return step;
+  }
+
+  /// Where the fluid is. @param injected so far, m2
+  VolumeBalance balance(const Network& network, double injected) const {
+    return fluid_.balance(network, injected, law_, params_.pressure_floor);
+  }
+
+  /// What is stored, the pressures and the step.
+  void exchange(auto& archive) { archive(fluid_, pressure_, dt_); }
+
+ private:
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  /// Unknowns are numbered against the order in which domains turned wet.
+  Eigen::Index row(std::size_t domain) const {
+    return static_cast<Eigen::Index>(fluid_.size() - 1 - domain);
+  }
+
+  void find_flow(const Network& network) {
+    pressure_.resize(fluid_.size(), 0);
+    conductance_.clear();
+    for (const auto& [c, first, second, length] : fluid_.channels()) {
+      const double a = pressure_[first], b = pressure_[second];
+      conductance_.push_back(law_.conductance(network.width(c), length, a - b, (a + b) / 2));
+    }
+  }
+
+  /// Calls f(channel's first domain, its second, volume that flows to the second in dt).
+  template <class F>
+  void for_each_flow(double dt, F&& f) const {
+    const auto channels = fluid_.channels();
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+      const Index first = channels[k].first, second = channels[k].second;
+      f(first, second, dt * conductance_[k] * (pressure_[first] - pressure_[second]));
+    }
+  }
+
+  void find_residual(double dt) {
+    residual_.assign(fluid_.stored().begin(), fluid_.stored().end());
+    for_each_flow(dt, [&](Index first, Index second, double volume) {
+      residual_[first] -= volume;
+      residual_[second] += volume;
+    });
+    for (std::size_t d = 0; d < residual_.size(); ++d)
+      residual_[d] -= fluid_.room()[d] * law_.filling(pressure_[d]);
+  }
+
+  /// Not full at the least pressure, nor about to be.
+  bool is_empty(std::size_t d) const {
+    return pressure_[d] <= params_.pressure_floor && residual_[d] <= 0;
+  }
+
+  /// What the rooms hold too much or too little, m2.
+  double missing_room() const {
+    double missing = 0;
+    for (std::size_t d = 0; d < residual_.size(); ++d)
+      if (!is_empty(d)) missing += std::abs(residual_[d]);
+    return missing;
+  }
+
+  /// How the rooms answer pressure: C, and how many steps it takes.
+  struct Answer {
+    double together, each;  ///< c_u and c_l, m2/Pa
+  };
+  Answer answer(double full) const {
+    if (std::isinf(rock_.modulus)) return {0, 0};
+    double length = 0, squares = 0;
+    for (const WetChannel& c : fluid_.channels()) {
+      length += c.length;
+      squares += c.length * c.length;
+    }
+    const double half = length / 2;
+    const double steps = max(2.0, 0.3 * std::numbers::pi * half / (2 * rock_.wave_step));
+    const double each = 8 * squares / static_cast<double>(fluid_.channels().size()) / rock_.modulus;
+    const double whole = 2 * std::numbers::pi * half * half / rock_.modulus;
+    return {steps * max(0.0, whole - full * each) / (full * full), steps * each};
+  }
+
+  void solve(double dt) {
+    const auto n = static_cast<Eigen::Index>(fluid_.size());
+    Eigen::VectorXd r = Eigen::VectorXd::Zero(n), full = Eigen::VectorXd::Zero(n);
+    double count = 0;
+    for (std::size_t d = 0; d < residual_.size(); ++d)
+      if (!is_empty(d)) r[row(d)] = residual_[d], full[row(d)] = 1, ++count;
+    if (count == 0) return;
+    const Answer c = answer(count);
+    assemble(dt, c.each, full);
+    factor_.factorize(matrix_);
+    const Eigen::VectorXd change = factor_.solve(r);
+    const Eigen::VectorXd even = factor_.solve(full);
+    double all_change = 0, all_even = 0;
+    for (Eigen::Index k = 0; k < n; ++k)
+      all_change += full[k] * change[k], all_even += full[k] * even[k];
+    const double less = c.together * all_change / (1 + c.together * all_even);
+    // A maximum loses what is not a number; a sum keeps it.
+    if (factor_.info() != Eigen::Success || !std::isfinite(less + all_change))
+      throw RunStopped(
+          "the pressures have no solution: a width or a pressure is not a finite number");
+    for (std::size_t d = 0; d < pressure_.size(); ++d)
+      pressure_[d] =
+          max(params_.pressure_floor, pressure_[d] + change[row(d)] - less * even[row(d)]);
+  }
+
+  void assemble(double dt, double each, const Eigen::VectorXd& full) {
+    const auto channels = fluid_.channels();
+    if (matrix_.rows() != full.size() || joined_ != channels.size()) make_pattern(full.size());
+    matrix_.coeffs().setZero();
+    for (std::size_t d = 0; d < fluid_.size(); ++d) {
+      const bool counts = full[row(d)] > 0;
+      matrix_.coeffRef(row(d), row(d)) =
+          counts ? each + fluid_.room()[d] / law_.modulus(pressure_[d]) : 1;
+    }
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+      const Eigen::Index a = row(channels[k].first), b = row(channels[k].second);
+      const double flow = dt * conductance_[k];
+      matrix_.coeffRef(a, a) += full[a] * flow;
+      matrix_.coeffRef(b, b) += full[b] * flow;
+      matrix_.coeffRef(max_index(a, b), min_index(a, b)) -= full[a] * full[b] * flow;
+    }
+  }
+
+  static Eigen::Index max_index(Eigen::Index a, Eigen::Index b) { return a > b ? a : b; }
+  static Eigen::Index min_index(Eigen::Index a, Eigen::Index b) { return a < b ? a : b; }
+
+  void make_pattern(Eigen::Index n) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index d = 0; d < n; ++d) entries.emplace_back(d, d, 1.0);
+    for (const WetChannel& c : fluid_.channels()) {
+      const Eigen::Index a = row(c.first), b = row(c.second);
+      entries.emplace_back(max_index(a, b), min_index(a, b), 0.0);
+    }
+    matrix_.resize(n, n);
+    matrix_.setFromTriplets(entries.begin(), entries.end());
+    factor_.analyzePattern(matrix_);
+    joined_ = fluid_.channels().size();
+  }
+
+  void let_flow(double dt) {
+    const auto stored = fluid_.stored();
+    for_each_flow(dt, [&](Index first, Index second, double volume) {
+      stored[first] -= volume;
+      stored[second] += volume;
+    });
+  }
+
+  void publish(Network& network) const {
+    const auto domains = network.wet_domains();
+    for (std::size_t d = 0; d < pressure_.size(); ++d)
+      network.set_pressure(domains[d], pressure_[d]);
+  }
+
+  Params params_;
+  Fluid law_;
+  RockResponse rock_;
+  StoredFluid fluid_;
+  std::vector<double> pressure_;                // of each wet domain, Pa
+  std::vector<double> conductance_, residual_;  // of each wet channel, of each wet domain
+  double dt_;
+  std::size_t joined_ = 0;  // channels in the matrix
+  Matrix matrix_;           // lower triangle
+  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
+};
+
+}  // namespace hfdem

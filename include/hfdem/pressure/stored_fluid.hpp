@@ -1,0 +1,101 @@
+/// @file
+/// What every wet domain stores, and the wet part of the network as flow sees it: the common part
+/// of the schemes that let fluid flow.
+///
+/// Domains and channels are numbered in the order in which they turned wet, the injection first, so
+/// that loops run over short contiguous arrays, and the two wings of a straight crack, numbered
+/// alike, get the same bits.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <hfdem/base/pack.hpp>
+#include <hfdem/state/network.hpp>
+#include <hfdem/state/volume_balance.hpp>
+
+namespace hfdem {
+
+/// A wet channel between two wet domains.
+struct WetChannel {
+  Index channel;        ///< of the network
+  Index first, second;  ///< its domains, by the order in which they turned wet
+  double length;        ///< l_p, m
+};
+
+/// The stored volumes S, as volumes at zero pressure.
+class StoredFluid {
+ public:
+  /// Adds what has turned wet. A channel brings the fluid that was in it, half to each side: what
+  /// its filled width holds, or all of it where it is narrower.
+  void join(Network& network) {
+    if (place_.empty()) place_.assign(network.geometry().centre.size(), nothing);
+    const auto domains = network.wet_domains();
+    for (std::size_t d = stored_.size(); d < domains.size(); ++d) {
+      place_[domains[d]] = static_cast<Index>(d);
+      stored_.push_back(0);
+      half_length_.push_back(0);
+    }
+    const auto wet = network.wet_channels();
+    for (; seen_ < wet.size(); ++seen_) {
+      const Index c = wet[seen_];
+      const auto& [ends, length] = network.geometry().channels[c];
+      if (ends[0] == nothing || ends[1] == nothing) continue;  // on the rim: the run is at its end
+      channels_.push_back({c, place_[ends[0]], place_[ends[1]], length});
+      const double filled = min(network.filled_width(c), network.width(c));
+      network.set_filled_width(c, filled);
+      for (const Index d : {channels_.back().first, channels_.back().second}) {
+        stored_[d] += length * filled / 2;
+        half_length_[d] += length / 2;
+      }
+    }
+  }
+
+  /// Finds the room of each domain, V_d, from the present widths.
+  void find_room(const Network& network) {
+    room_.assign(stored_.size(), 0);
+    for (const auto& [c, first, second, length] : channels_) {
+      const double half = length * network.width(c) / 2;
+      room_[first] += half;
+      room_[second] += half;
+    }
+  }
+
+  /// Shares out what is injected in a step, m2, among the domains that receive it.
+  void inject(double volume) { stored_.front() += volume; }
+
+  std::span<const WetChannel> channels() const { return channels_; }  ///< that are wet
+  std::size_t size() const { return stored_.size(); }                 ///< number of wet domains
+  std::span<double> stored() { return stored_; }                      ///< S, m2, one per wet domain
+  std::span<const double> stored() const { return stored_; }          ///< S, m2, one per wet domain
+  std::span<const double> room() const { return room_; }              ///< V_d, m2
+  /// Half the length of the wet channels around each wet domain, m.
+  std::span<const double> half_length() const { return half_length_; }
+
+  /// The ledger. @param law of the fluid @param floor the least pressure, Pa
+  template <class Fluid>
+  VolumeBalance balance(const Network& network, double injected, const Fluid& law,
+                        double floor) const {
+    VolumeBalance b{.injected = injected, .initial = network.filled_volume()};
+    const auto domains = network.wet_domains();
+    for (std::size_t d = 0; d < stored_.size(); ++d) {
+      const double pressure = network.pressure(domains[d]);
+      const double holds = network.domain_volume(domains[d]) * law.filling(pressure);
+      b.stored += holds;
+      const double excess = stored_[d] - holds;
+      (excess < 0 && pressure <= floor ? b.empty -= excess : b.unmet += excess);
+    }
+    return b;
+  }
+
+  /// Everything: what is stored, and in which order domains turned wet.
+  void exchange(auto& archive) { archive(place_, stored_, room_, half_length_, channels_, seen_); }
+
+ private:
+  std::vector<Index> place_;  // of each domain of the network among the wet ones
+  std::vector<double> stored_, room_, half_length_;
+  std::vector<WetChannel> channels_;
+  std::size_t seen_ = 0;  // of the network's wet channels
+};
+
+}  // namespace hfdem
