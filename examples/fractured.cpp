@@ -1,5 +1,6 @@
-// Carbon dioxide in fractured rock (the paper's Section 4.2): a crack driven by uniform pressure
-// through 17,500 bonded discs with 18 natural fractures among them.
+// A crack through fractured rock (the paper's Section 4.2): 17,500 bonded discs with 18 natural
+// fractures among them, and carbon dioxide, whose pressure is uniform (cases N2-S1, N2-S2), or a
+// viscous fluid (cases N1-S1, N1-S2).
 //
 //   build/release/examples/fractured --case N2-S2 --out out/fractured
 //
@@ -22,8 +23,9 @@ using namespace hfdem::support;
 namespace {
 
 /// From the file, if there is one, or drawn; for a run that goes on, those that it has.
+template <class Config>
 NamedFractures natural_fractures(const RockOptions& options, const std::string& file,
-                                 const FracturedConfig& config) {
+                                 const Config& config) {
   Vec2 box{config.specimen.width, config.specimen.height};
   if (const std::string discs = options.specimen_file(); !discs.empty()) {
     const Specimen given = load_specimen(discs);
@@ -44,28 +46,40 @@ NamedFractures natural_fractures(const RockOptions& options, const std::string& 
   return fractures;
 }
 
+struct FractureOptions {
+  std::string file;
+  std::optional<int> seed;
+};
+
+template <class Config>
+int run(const RockOptions& options, const FractureOptions& wanted, int argc, char** argv) {
+  auto config = options.configured<Config>();
+  if (wanted.seed) config.fractures.seed = *wanted.seed;
+  return RockProgram("fractured", options, config, natural_fractures(options, wanted.file, config))
+      .run(argc, argv);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"A fluid-driven crack through rock with natural fractures"};
   RockOptions options;
-  options.add_to(app, FracturedConfig::cases);
-  std::string file;
-  std::optional<int> seed;
-  app.add_option("--fractures", file,
+  using Viscous = FracturedRock<ImplicitFlow<>>;
+  using Slick = FracturedRock<UniformPressure>;
+  options.add_to<Viscous, Slick>(app);
+  FractureOptions fractures;
+  app.add_option("--fractures", fractures.file,
                  "file with the natural fractures (.csv or .toml), instead of section [fractures]")
       ->check(CLI::ExistingFile)
       ->excludes("--resume");
-  app.add_option("--random-fractures", seed,
+  app.add_option("--random-fractures", fractures.seed,
                  "draw other fractures: every number is another set (fractures.seed)")
       ->excludes("--fractures")
       ->excludes("--resume");
   return guarded("fractured", app, [&] {
     app.parse(argc, argv);
     let_waiting_threads_sleep(options.common.threads, argv);
-    auto config = options.configured<FracturedConfig>();
-    if (seed) config.fractures.seed = *seed;
-    return RockProgram("fractured", options, config, natural_fractures(options, file, config))
-        .run(argc, argv);
+    return options.flows<Slick>() ? run<Viscous>(options, fractures, argc, argv)
+                                  : run<Slick>(options, fractures, argc, argv);
   });
 }

@@ -1,5 +1,6 @@
-// Carbon dioxide in intact rock (the paper's Section 4.1): a crack driven by uniform pressure
-// through 17,500 bonded discs of random size and place.
+// A crack through intact rock (the paper's Section 4.1): 17,500 bonded discs of random size and
+// place, fractured by carbon dioxide, whose pressure is uniform (cases 2-S1, 2-S2), or by a viscous
+// fluid (cases 1-S1, 1-S2).
 //
 //   build/release/examples/intact --case 2-S1 --out out/intact
 //
@@ -16,10 +17,13 @@ using namespace hfdem::support;
 int main(int argc, char** argv) {
   CLI::App app{"A fluid-driven crack through intact rock: bonded discs of random size and place"};
   RockOptions options;
-  options.add_to(app, IntactConfig::cases);
+  using Viscous = IntactRock<hfdem::ImplicitFlow<>>;
+  options.add_to<Viscous, IntactConfig>(app);
   return guarded("intact", app, [&] {
     app.parse(argc, argv);
     let_waiting_threads_sleep(options.common.threads, argv);
+    if (options.flows<IntactConfig>())
+      return RockProgram("intact", options, options.configured<Viscous>()).run(argc, argv);
     return RockProgram("intact", options, options.configured<IntactConfig>()).run(argc, argv);
   });
 }

@@ -15,27 +15,28 @@
 
 namespace hfdem::support {
 
-using FracturedRock = Simulator<Jointed<ScatteredParallelBond, SmoothJoint>, HyperbolicAperture,
-                                UniformPressure, KdTree>;
+/// The parameter file; the defaults are those of the first case.
+/// @tparam Pressure scheme
+template <class Pressure>
+struct FracturedRock : RockRunSections<Jointed<ScatteredParallelBond, SmoothJoint>, Pressure>,
+                       SectionTree<FracturedRock<Pressure>> {
+  using Sections = RockRunSections<Jointed<ScatteredParallelBond, SmoothJoint>, Pressure>;
 
-/// The parameter file; the defaults are case N2-S1.
-struct FracturedConfig : RockRunSections<FracturedRock>, SectionTree<FracturedConfig> {
   RandomFractures fractures;  ///< unless they come from a file
 
-  FracturedConfig() { load_case(cases.front()); }
+  FracturedRock() { load_case(cases.front()); }
 
-  static constexpr std::array<std::string_view, 2> cases{"N2-S1", "N2-S2"};
+  static constexpr auto cases = cases_of<Pressure>({"N2-S1", "N2-S2"}, {"N1-S1", "N1-S2"});
 
   /// Loads a case of the paper's Table 4, with the time of its figures.
   void load_case(std::string_view name) {
-    const bool second = name == cases[1];
-    simulator.in_situ = {.xx = 10e6, .yy = second ? 15e6 : 12e6};
-    run.end_time = second ? 0.9 : 2;
+    this->load_conditions(name);
+    this->run.end_time = name.ends_with("S2") ? 0.9 : 2;
   }
 
   /// A tenth of the area, with a few shorter fractures.
   void shrink() {
-    RockRunSections::shrink();
+    Sections::shrink();
     fractures.count = 5;
     fractures.shortest = 0.06;
     fractures.longest = 0.1;
@@ -43,17 +44,10 @@ struct FracturedConfig : RockRunSections<FracturedRock>, SectionTree<FracturedCo
     fractures.seed = 2;
   }
 
-  bool is_paper_case_N2_S2() const {
-    FracturedConfig paper;
-    paper.load_case(cases[1]);
-    paper.fractures = fractures;
-    return is_case(*this, paper);
-  }
-
   template <class Self, class F>
   static void visit(Self& self, F& f) {
     f("fractures", self.fractures);
-    RockRunSections::visit(self, f);
+    Sections::visit(self, f);
   }
 };
 

@@ -62,8 +62,8 @@ class JointRecord {
     folder_.write("joint_lengths.svg", svg(lengths(conditions)));
   }
 
-  /// @param beside_paper whether the run is the paper's case N2-S2, but for its fractures
-  void summarise(Summary& s, const Sim& sim, bool beside_paper) const {
+  /// @param paper what is printed there of the run's case
+  void summarise(Summary& s, const Sim& sim, const paper::Case& paper) const {
     const auto activity = measure::fracture_activity(sim);
     const auto sum = measure::total(activity);
     s.set("joints/fractures", static_cast<long>(activity.size()));
@@ -81,18 +81,16 @@ class JointRecord {
     s.set("joints/largest_slip_m", sum.largest_slip);
     s.set("joints/mean_opening_m", sum.opening);
     s.set("joints/largest_opening_m", sum.largest_opening);
-    if (!beside_paper) return;
-    using paper::Fractured;
-    s.compare("paper/joint_microcracks", sum.broken, Fractured::joint_microcracks);
-    s.compare("paper/connected_joint_microcracks", sum.connected,
-              Fractured::connected_joint_microcracks);
+    if (std::isnan(paper.joint_microcracks)) return;
+    s.compare("paper/joint_microcracks", sum.broken, paper.joint_microcracks);
+    s.compare("paper/connected_joint_microcracks", sum.connected, paper.connected_microcracks);
   }
 
-  /// @param beside_paper whether the run is the paper's case N2-S2, but for its fractures
+  /// @param paper what is printed there of the run's case
   void add_to(observe::Report& page, const Sim& sim, const std::string& conditions,
-              bool beside_paper) const {
+              const paper::Case& paper) const {
     page.section("Natural fractures");
-    page.table(counts(sim, beside_paper));
+    page.table(counts(sim, paper));
     page.figure(motion(conditions));
     page.figure(lengths(conditions));
     page.table(fractures(sim));
@@ -133,26 +131,27 @@ class JointRecord {
             {"in_joints_unconnected", joints.unconnected}};
   }
 
-  static observe::Table counts(const Sim& sim, bool beside_paper) {
+  static observe::Table counts(const Sim& sim, const paper::Case& paper) {
+    const bool beside_paper = std::isfinite(paper.joint_microcracks);
     observe::Table table{.caption = "Microcracks at the end, as in the paper's Table 5.",
                          .header = {"", "in tension", "in shear", "together"}};
     if (beside_paper) table.header.push_back("paper");
-    const auto add = [&](const std::string& name, int tension, int shear, int published) {
+    const auto add = [&](const std::string& name, int tension, int shear, double published) {
       table.rows.push_back(
           {name, std::to_string(tension), std::to_string(shear), std::to_string(tension + shear)});
       if (beside_paper)
-        table.rows.back().push_back(published > 0 ? std::to_string(published) : "\u2013");
+        table.rows.back().push_back(std::isfinite(published) ? observe::fixed(published, 0)
+                                                             : "\u2013");
     };
     const auto rows = table_5(sim);
     const auto &connected = rows[2].count, &unconnected = rows[3].count;
-    using paper::Fractured;
-    add("in rock, connected", rows[0].count.tension, rows[0].count.shear, 0);
-    add("in rock, unconnected", rows[1].count.tension, rows[1].count.shear, 0);
+    add("in rock, connected", rows[0].count.tension, rows[0].count.shear, NAN);
+    add("in rock, unconnected", rows[1].count.tension, rows[1].count.shear, NAN);
     add("in natural fractures, connected", connected.tension, connected.shear,
-        Fractured::connected_joint_microcracks);
-    add("in natural fractures, unconnected", unconnected.tension, unconnected.shear, 0);
+        paper.connected_microcracks);
+    add("in natural fractures, unconnected", unconnected.tension, unconnected.shear, NAN);
     add("in natural fractures", connected.tension + unconnected.tension,
-        connected.shear + unconnected.shear, Fractured::joint_microcracks);
+        connected.shear + unconnected.shear, paper.joint_microcracks);
     return table;
   }
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <hfdem/analytic/kgd.hpp>
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/observe/chart.hpp>
 #include <hfdem/observe/history.hpp>
@@ -15,30 +14,35 @@
 #include "support/kgd_model.hpp"
 #include "support/paper.hpp"
 #include "support/prediction.hpp"
+#include "support/schemes.hpp"
 #include "support/settings.hpp"
 
 namespace hfdem::support {
 
 /// What a run was, in one sentence for captions.
-inline std::string described(const KgdConfig& c) {
+template <class Pressure>
+std::string described(const KgdConfig<Pressure>& c) {
   const auto& p = c.simulator;
   return std::to_string(c.specimen.columns) + " × " + std::to_string(c.specimen.rows) +
          " discs of radius " + in_words(c.specimen.radius * 1e3) + " mm under " +
          in_words(p.in_situ.xx / 1e6) + " MPa (x) and " + in_words(p.in_situ.yy / 1e6) +
-         " MPa (y), " + in_words(p.injection.rate * 1e4) +
-         " × 10^{-4} m²/s injected, fluid steps " +
-         (p.scheme.equilibrium ? "under equilibrium control." : "by the paper's rule.");
+         " MPa (y), " + in_words(p.injection.rate * 1e4) + " × 10^{-4} m²/s" +
+         said_fluid<typename KgdConfig<Pressure>::Sim>(p) + " injected, fluid steps " +
+         std::string(words_of(p.scheme).steps) + ".";
 }
 
-/// The KGD fracture as the paper computed it: its E' and K_IC, this run's rate.
-inline analytic::KgdFracture paper_kgd(const KgdConfig& c, double time) {
-  return analytic::toughness_vertex(paper::Verification::E_prime, paper::Verification::K_IC,
-                                    c.simulator.injection.rate, time);
+/// The KGD fracture with the E' and K_IC with which the paper computed it, and this run's rate: the
+/// toughness vertex as there, or the general solution where the fluid's viscosity matters.
+template <class Config>
+analytic::KgdFracture paper_kgd(const Config& c, double time) {
+  return reference_kgd<typename Config::Sim>(c.simulator, paper::Verification::E_prime,
+                                             paper::Verification::K_IC, time);
 }
 
 /// Whether a run is of the paper's model; its rule and its mechanics are free.
-inline bool is_paper_model(KgdConfig config) {
-  const KgdConfig paper;
+template <class Pressure>
+bool is_paper_model(KgdConfig<Pressure> config) {
+  const KgdConfig<Pressure> paper;
   config.run = paper.run;
   config.simulator.scheme = paper.simulator.scheme;
   config.simulator.mechanics = paper.simulator.mechanics;
@@ -46,14 +50,18 @@ inline bool is_paper_model(KgdConfig config) {
 }
 
 /// Whether the paper's numbers hold for a run at this time.
-inline bool at_paper_time(const KgdConfig& config, double time) {
+template <class Pressure>
+bool at_paper_time(const KgdConfig<Pressure>& config, double time) {
   return is_paper_model(config) && std::abs(time / paper::Verification::time - 1) < 1e-3;
 }
 
+template <class Config>
 class KgdFigures {
  public:
+  using Sim = typename Config::Sim;
+
   /// @param prediction to draw beside the run; null if there is none
-  KgdFigures(const KgdConfig& config, const std::vector<observe::Instant>& history,
+  KgdFigures(const Config& config, const std::vector<observe::Instant>& history,
              const Prediction* prediction)
       : config_(config), history_(history), prediction_(prediction) {}
 
@@ -116,7 +124,7 @@ class KgdFigures {
   }
 
   /// Fig. 5a, b.
-  observe::SpecimenPicture specimen(const Kgd& sim) const {
+  observe::SpecimenPicture specimen(const Sim& sim) const {
     const Vec2 injection = measure::injection_point(sim);
     observe::SpecimenPicture picture{.radius = sim.discs().radius,
                                      .width = sim.specimen().width,
@@ -207,12 +215,12 @@ class KgdFigures {
            in_words(paper::Verification::K_IC / 1e6) + " MPa·m^{1/2}.";
   }
 
-  static observe::CrackSegment segment(const Kgd& sim, Index contact, double aperture) {
+  static observe::CrackSegment segment(const Sim& sim, Index contact, double aperture) {
     const auto [from, to] = measure::facet(sim, contact);
     return {from.x, from.y, to.x, to.y, aperture};
   }
 
-  const KgdConfig& config_;
+  const Config& config_;
   const std::vector<observe::Instant>& history_;
   const Prediction* prediction_;
 };

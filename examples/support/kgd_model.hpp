@@ -2,12 +2,9 @@
 /// The paper's verification model: a crack driven through a square array by uniform pressure.
 #pragma once
 
-#include <utility>
-
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
-#include <hfdem/pressure/uniform.hpp>
 #include <hfdem/setup/square_array.hpp>
 #include <hfdem/simulator.hpp>
 
@@ -16,12 +13,14 @@
 
 namespace hfdem::support {
 
-using Kgd = Simulator<LinearParallelBond, HyperbolicAperture, UniformPressure, FixedPairs>;
-
 /// The parameter file's sections.
-struct KgdConfig : SectionTree<KgdConfig> {
+/// @tparam Pressure scheme
+template <class Pressure>
+struct KgdConfig : SectionTree<KgdConfig<Pressure>> {
+  using Sim = Simulator<LinearParallelBond, HyperbolicAperture, Pressure, FixedPairs>;
+
   SquareArray specimen;
-  Kgd::Params simulator;
+  typename Sim::Params simulator;
   RunOptions run;
 
   /// A 40 x 40 array, until its crack is as long for its size as the default one's.

@@ -29,19 +29,21 @@ struct KgdOutcome {
   std::optional<PredictionResults> predicted;  ///< if slits were tested
 };
 
+template <class Config>
 class KgdReport {
  public:
-  KgdReport(const KgdConfig& config, const Manifest& manifest)
-      : config_(config), manifest_(manifest) {
+  using Sim = typename Config::Sim;
+
+  KgdReport(const Config& config, const Manifest& manifest) : config_(config), manifest_(manifest) {
     page_.program = "hfdem " + manifest.version + ", program " + manifest.program;
-    page_.lead = "A crack driven by uniform pressure through a square array of bonded discs: " +
-                 described(config);
+    page_.lead = "A crack driven by " + std::string(words_of(config.simulator.scheme).driven_by) +
+                 " through a square array of bonded discs: " + described(config);
   }
 
   /// The page of a run, whatever ended it.
   /// @param energy where the work went; null if no books were kept
-  std::string html(const Kgd& sim, const KgdOutcome& o, const KgdFigures& figures,
-                   const EnergyRecord<Kgd>* energy) {
+  std::string html(const Sim& sim, const KgdOutcome& o, const KgdFigures<Config>& figures,
+                   const EnergyRecord<Sim>* energy) {
     page_.title = "A crack of " + observe::fixed(o.shape.full_length(), 3, "m") + " after " +
                   observe::fixed(sim.time(), 3, "s");
     if (!o.run.stopped.empty())
@@ -54,7 +56,8 @@ class KgdReport {
     page_.figure(figures.length());
     page_.figure(figures.aperture());
     page_.figure(figures.pressure());
-    if (o.predicted) o.predicted->add_to(page_, config_.simulator.scheme.equilibrium);
+    if (o.predicted)
+      o.predicted->add_to(page_, words_of(config_.simulator.scheme).rule == "equilibrium");
     add_comparison(sim, o);
     add_numbers(sim, o);
     if (energy) energy->add_to(page_, sim, described(config_));
@@ -86,7 +89,7 @@ class KgdReport {
     return observe::fixed(v * 1e6, 2, "mL") + " per metre of thickness";
   }
 
-  void add_answer(const Kgd& sim, const KgdOutcome& o) {
+  void add_answer(const Sim& sim, const KgdOutcome& o) {
     using paper::Verification;
     const bool paper = at_paper_time(config_, sim.time());
     const double net = sim.injection_pressure() - o.far_field;
@@ -113,7 +116,7 @@ class KgdReport {
                     "of " + said(config_.run.end_time, "s").both()}});
   }
 
-  void add_comparison(const Kgd& sim, const KgdOutcome& o) {
+  void add_comparison(const Sim& sim, const KgdOutcome& o) {
     using paper::Verification;
     const bool paper = at_paper_time(config_, sim.time());
     page_.section("Comparison");
@@ -147,7 +150,7 @@ class KgdReport {
                      : "The paper's own results hold for its specimen at 0.9 s, not for this run.");
   }
 
-  void add_numbers(const Kgd& sim, const KgdOutcome& o) {
+  void add_numbers(const Sim& sim, const KgdOutcome& o) {
     page_.section("The crack in numbers");
     page_.facts(
         {{"tips",
@@ -161,11 +164,10 @@ class KgdReport {
          {"contacts of the preset crack", said(static_cast<long>(sim.preset_contacts().size()))},
          {"Young's modulus of the specimen", observe::fixed(o.moduli.young / 1e9, 2, "GPa")},
          {"Poisson's ratio of the specimen", observe::fixed(o.moduli.poisson, 3)},
-         {"a fluid step ends",
-          config_.simulator.scheme.equilibrium ? "at equilibrium" : "by the paper's rule"}});
+         {"a fluid step ends", std::string(words_of(config_.simulator.scheme).ends)}});
   }
 
-  const KgdConfig& config_;
+  const Config& config_;
   const Manifest& manifest_;
   observe::Report page_;
 };

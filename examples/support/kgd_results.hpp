@@ -22,11 +22,14 @@ namespace hfdem::support {
 
 /// An observer of the run: history and breaks as they come, the rest at the end. Whatever ends the
 /// run, what was written stays.
+template <class Config>
 class KgdResults {
  public:
+  using Sim = typename Config::Sim;
+
   /// @param measured toughness to predict the run with, if there is some
   /// @param resumes whether the run goes on with what is in the folder
-  KgdResults(const OutputFolder& folder, const KgdConfig& config, const Manifest& manifest,
+  KgdResults(const OutputFolder& folder, const Config& config, const Manifest& manifest,
              std::optional<MeasuredToughness> measured, bool resumes)
       : folder_(folder),
         config_(config),
@@ -40,17 +43,17 @@ class KgdResults {
   }
 
   /// Call once the specimen has settled; not for a run that is resumed.
-  void begin(const Kgd& sim) {
+  void begin(const Sim& sim) {
     moduli_ = moduli(sim);
     paraview_.write(sim);
     watch_ = Stopwatch();
   }
 
-  void mechanical_step(const Kgd& sim) {
+  void mechanical_step(const Sim& sim) {
     if (energy_) energy_->mechanical_step(sim);
   }
 
-  void fluid_step(const Kgd& sim, const FluidStep& step) {
+  void fluid_step(const Sim& sim, const FluidStep& step) {
     if (energy_) energy_->fluid_step(sim);
     history_.fluid_step(sim, step);
     paraview_.fluid_step(sim, step);
@@ -58,7 +61,7 @@ class KgdResults {
     unconverged_ += step.converged ? 0 : 1;
   }
 
-  void bond_break(const Kgd&, const BondBreak& b) { see_pressure(b.pressure); }
+  void bond_break(const Sim&, const BondBreak& b) { see_pressure(b.pressure); }
 
   /// What the run has come to so far.
   void exchange(auto& archive) {
@@ -68,7 +71,7 @@ class KgdResults {
   }
 
   /// @param stopped why the run ended before its time; empty if it did not
-  void finish(const Kgd& sim, const std::string& stopped) {
+  void finish(const Sim& sim, const std::string& stopped) {
     predict(sim);
     const KgdOutcome outcome{measure::crack_shape(sim),
                              paper_kgd(config_, sim.time()),
@@ -85,14 +88,15 @@ class KgdResults {
     observe::write_cracks(cracks, sim);
     folder_.close(profile, "profile.csv");
     folder_.close(cracks, "cracks.csv");
-    const KgdFigures figures(config_, history_.instants(), prediction_ ? &*prediction_ : nullptr);
+    const KgdFigures<Config> figures(config_, history_.instants(),
+                                     prediction_ ? &*prediction_ : nullptr);
     folder_.write("aperture.svg", svg(figures.aperture()));
     folder_.write("length.svg", svg(figures.length()));
     folder_.write("pressure.svg", svg(figures.pressure()));
     folder_.write("specimen.svg", svg(figures.specimen(sim)));
     folder_.write("summary.json", summarise(sim, outcome).json());
     folder_.write("report.html",
-                  KgdReport(config_, manifest_).html(sim, outcome, figures, energy()));
+                  KgdReport<Config>(config_, manifest_).html(sim, outcome, figures, energy()));
     text_ = describe(sim, outcome);
     if (outcome.predicted) text_ += outcome.predicted->text();
     if (!no_prediction_.empty()) text_ += "no prediction from slits: " + no_prediction_ + "\n";
@@ -102,27 +106,27 @@ class KgdResults {
   void finish_unbegun(const std::string& reason) {
     history_file_.close();
     if (energy_) energy_->close();
-    folder_.write("report.html", KgdReport(config_, manifest_).html(reason));
+    folder_.write("report.html", KgdReport<Config>(config_, manifest_).html(reason));
   }
 
   /// The answer in a few lines for a terminal.
   const std::string& text() const { return text_; }
 
  private:
-  const EnergyRecord<Kgd>* energy() const { return energy_ ? &*energy_ : nullptr; }
+  const EnergyRecord<Sim>* energy() const { return energy_ ? &*energy_ : nullptr; }
 
   void see_pressure(double pressure) { peak_pressure_ = std::fmax(peak_pressure_, pressure); }
 
-  static measure::ElasticModuli moduli(const Kgd& sim) {
+  static measure::ElasticModuli moduli(const Sim& sim) {
     try {
-      return measure::elastic_moduli<Kgd::ContactPolicy, Kgd::NeighbourPolicy>(
+      return measure::elastic_moduli<typename Sim::ContactPolicy, typename Sim::NeighbourPolicy>(
           sim.specimen(), sim.params().contact, sim.params().in_situ, sim.params().mechanics);
     } catch (const RunStopped&) {
       return {NAN, NAN};  // stresses that break the intact specimen: no elastic answer
     }
   }
 
-  void predict(const Kgd& sim) {
+  void predict(const Sim& sim) {
     try {
       if (measured_)
         prediction_.emplace(*measured_, config_, static_cast<int>(sim.preset_contacts().size()));
@@ -131,7 +135,7 @@ class KgdResults {
     }
   }
 
-  std::optional<PredictionResults> predicted(const Kgd& sim) const {
+  std::optional<PredictionResults> predicted(const Sim& sim) const {
     if (!prediction_ || sim.time() == 0) return {};
     const auto shape = measure::crack_shape(sim);
     return PredictionResults(
@@ -139,7 +143,7 @@ class KgdResults {
         {shape.full_length(), shape.opening, sim.injection_pressure() - far_field_});
   }
 
-  Summary summarise(const Kgd& sim, const KgdOutcome& outcome) const {
+  Summary summarise(const Sim& sim, const KgdOutcome& outcome) const {
     const auto& [shape, kgd, far_field, peak_pressure, moduli, run, predicted] = outcome;
     const long steps = sim.mechanical_steps();
     Summary s;
@@ -160,7 +164,10 @@ class KgdResults {
     s.set("preset_contacts", static_cast<long>(sim.preset_contacts().size()));
     s.set("E_Pa", moduli.young);
     s.set("poisson_ratio", moduli.poisson);
-    s.set("rule", config_.simulator.scheme.equilibrium ? "equilibrium" : "paper");
+    s.set("rule", std::string(words_of(config_.simulator.scheme).rule));
+    s.set("scheme", std::string(words_of(config_.simulator.scheme).name));
+    s.set("viscosity_Pa_s", config_.simulator.fluid.viscosity);
+    s.set("fluid_balance_relative_error", sim.volume_balance().relative_error());
     s.set("fluid_steps", sim.fluid_steps());
     s.set("unconverged_fluid_steps", run.unconverged);
     s.set("mechanical_steps", steps);
@@ -189,7 +196,7 @@ class KgdResults {
     return s;
   }
 
-  std::string describe(const Kgd& sim, const KgdOutcome& outcome) const {
+  std::string describe(const Sim& sim, const KgdOutcome& outcome) const {
     const auto& [shape, kgd, far_field, peak_pressure, moduli, run, predicted] = outcome;
     const double net = sim.injection_pressure() - far_field;
     char text[800];
@@ -212,7 +219,7 @@ class KgdResults {
   }
 
   const OutputFolder& folder_;
-  const KgdConfig& config_;
+  const Config& config_;
   const Manifest& manifest_;
   std::optional<MeasuredToughness> measured_;
   std::optional<Prediction> prediction_;
@@ -221,7 +228,7 @@ class KgdResults {
   GrowingFile history_file_;
   observe::History history_;
   observe::ParaView paraview_;
-  std::optional<EnergyRecord<Kgd>> energy_;  // if the books are kept
+  std::optional<EnergyRecord<Sim>> energy_;  // if the books are kept
   measure::ElasticModuli moduli_{};
   long unconverged_ = 0;
   double peak_pressure_ = 0;

@@ -33,7 +33,9 @@ class Prediction {
  public:
   /// @param preset_contacts broken ones when the injection begins
   /// @throws InvalidParameter if the specimen is no plate that the solution knows
-  Prediction(const MeasuredToughness& measured, const KgdConfig& config, int preset_contacts)
+  template <class Pressure>
+  Prediction(const MeasuredToughness& measured, const KgdConfig<Pressure>& config,
+             int preset_contacts)
       : rock_(measured.toughness),
         rate_(config.simulator.injection.rate),
         viscosity_(config.simulator.fluid.viscosity),
@@ -72,7 +74,8 @@ class Prediction {
  private:
   /// The plate takes care of the size of the array, and the density of a lattice at rest and the
   /// gain of its servo do not matter.
-  void find_differences(const Lattice& measured, const KgdConfig& config) {
+  template <class Pressure>
+  void find_differences(const Lattice& measured, const KgdConfig<Pressure>& config) {
     const auto run = written_values(config);
     for (const auto& [name, there] : written_values(measured)) {
       if (name == "specimen.columns" || name == "specimen.rows" || name == "specimen.density" ||

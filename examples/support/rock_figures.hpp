@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <hfdem/analytic/kgd.hpp>
 #include <hfdem/measure/measurement_circle.hpp>
 #include <hfdem/measure/particle_stress.hpp>
 #include <hfdem/observe/chart.hpp>
@@ -19,6 +18,7 @@
 #include "support/growth_prediction.hpp"
 #include "support/paper.hpp"
 #include "support/rock_model.hpp"
+#include "support/schemes.hpp"
 
 namespace hfdem::support {
 
@@ -30,16 +30,17 @@ std::string described(const Config& c, long discs) {
          " to " + in_words(c.specimen.radius_max * 1e3) + " mm (seed " +
          std::to_string(c.specimen.seed) + ") under " + in_words(p.in_situ.xx / 1e6) +
          " MPa (x) and " + in_words(p.in_situ.yy / 1e6) + " MPa (y), " +
-         in_words(p.injection.rate * 1e4) + " × 10^{-4} m²/s injected, fluid steps of " +
-         in_words(p.scheme.fluid_dt * 1e3) + " ms " +
-         (p.scheme.equilibrium ? "under equilibrium control." : "by the paper's rule.");
+         in_words(p.injection.rate * 1e4) + " × 10^{-4} m²/s" +
+         said_fluid<typename Config::Sim>(p) + " injected, fluid steps of " +
+         in_words(p.scheme.fluid_dt * 1e3) + " ms " + std::string(words_of(p.scheme).steps) + ".";
 }
 
-/// The KGD fracture as the paper computed it for its rock: its E' and K_IC, this run's rate.
+/// The KGD fracture with the E' and K_IC with which the paper computed it for its rock, and this
+/// run's rate: the toughness vertex as there, or the general solution where viscosity matters.
 template <class Config>
 analytic::KgdFracture paper_kgd(const Config& c, double time) {
-  return analytic::toughness_vertex(paper::Intact::E_prime, paper::Intact::K_IC,
-                                    c.simulator.injection.rate, time);
+  return reference_kgd<typename Config::Sim>(c.simulator, paper::Intact::E_prime,
+                                             paper::Intact::K_IC, time);
 }
 
 /// Below the other lines: growth in the finite plate, as modulus and toughness of the rock say.
@@ -97,7 +98,8 @@ class RockFigures {
   observe::FractureMap net_pressures() const {
     auto map = crack("Net pressure in the crack" + at_time_);
     map.values = observe::net_pressures(map.microcracks, config_.closing_stress());
-    map.caption = "One pressure fills the crack: viscosity spends nothing.";
+    map.caption = flows<Sim> ? "The pressure falls towards the tips: flow spends it."
+                             : "One pressure fills the crack: viscosity spends nothing.";
     return map;
   }
   /// Fig. 18.
@@ -152,8 +154,8 @@ class RockFigures {
         kgd([](const auto& f) { return f.full_length(); })};
     chart.series[0].colour = observe::okabe_ito::sky_blue;
     add_predicted(chart, prediction_, [](const auto& crack) { return crack.full_length; });
-    add_paper(chart, "paper, microcracks", paper::Intact::total_length);
-    add_paper(chart, "paper, tip to tip", paper::Intact::tip_distance);
+    add_paper(chart, "paper, microcracks", paper_.total_length);
+    add_paper(chart, "paper, tip to tip", paper_.tip_distance);
     return chart;
   }
   /// Fig. 12a.
@@ -164,7 +166,7 @@ class RockFigures {
                     kgd([](const auto& f) { return f.width * 1e6; })};
     const double w0 = config_.simulator.aperture.w0;
     add_predicted(chart, prediction_, [w0](const auto& c) { return (c.opening + w0) * 1e6; });
-    add_paper(chart, "paper (numerical)", paper::Intact::aperture * 1e6);
+    add_paper(chart, "paper (numerical)", paper_.aperture * 1e6);
     return chart;
   }
 
@@ -218,14 +220,15 @@ class RockFigures {
   }
 
   void add_paper(observe::Chart& chart, const std::string& name, double value) const {
-    if (config_.is_paper_case_S1() && end_time() > 0.5 * paper::Intact::time) {
+    if (std::isfinite(value) && end_time() > 0.5 * paper::Intact::time) {
       chart.points.push_back({name, paper::Intact::time, value});
       chart.x_range->high = std::fmax(end_time(), 1.02 * paper::Intact::time);
     }
   }
 
   static std::string reference() {
-    return "KGD: toughness vertex with the paper's E' = " + in_words(paper::Intact::E_prime / 1e9) +
+    return std::string(flows<Sim> ? "KGD: general solution" : "KGD: toughness vertex") +
+           " with the paper's E' = " + in_words(paper::Intact::E_prime / 1e9) +
            " GPa and K_{IC} = " + in_words(paper::Intact::K_IC / 1e6) + " MPa·m^{1/2}.";
   }
 
@@ -234,6 +237,7 @@ class RockFigures {
   const Instants& history_;
   const GrowthPrediction* prediction_;
   std::string conditions_, at_time_;
+  paper::Case paper_ = paper_case(config_);
 };
 
 }  // namespace hfdem::support

@@ -2,6 +2,8 @@
 /// The options that all programs of random rock share.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +11,8 @@
 #include <CLI/CLI.hpp>
 
 #include "support/command_line.hpp"
+#include "support/run_options.hpp"
+#include "support/schemes.hpp"
 
 namespace hfdem::support {
 
@@ -17,13 +21,18 @@ struct RockOptions {
   std::string which, preset, specimen, toughness;
   std::optional<int> seed;
   int seeds = 1;
+  SchemeChoice scheme;
 
-  /// @param cases of the paper's Table 4, the default first
-  template <class Cases>
-  void add_to(CLI::App& app, const Cases& cases) {
+  /// @tparam Viscous the parameter file with a fluid that flows, which knows all cases
+  /// @tparam Slick the one with uniform pressure, the usual one
+  template <class Viscous, class Slick>
+  void add_to(CLI::App& app) {
+    constexpr auto& cases = Viscous::cases;
     common.add_to(app);
-    app.add_option("--case", which,
-                   "a case of the paper's Table 4 (default " + std::string(cases.front()) + ")")
+    scheme.add_to(app, std::array{"uniform", "implicit"});
+    app.add_option(
+           "--case", which,
+           "a case of the paper's Table 4 (default " + std::string(Slick::cases.front()) + ")")
         ->check(CLI::IsMember(cases))
         ->excludes("--resume")
         ->excludes("--config");
@@ -49,6 +58,20 @@ struct RockOptions {
         ->excludes("--resume");
   }
 
+  /// Whether the run is to have a fluid that flows: as is asked for, or as the case has it.
+  template <class Slick>
+  bool flows() const {
+    const auto& cases = Slick::cases;
+    const bool viscous =
+        !which.empty() && std::find(cases.begin(), cases.end(), which) == cases.end();
+    const bool chosen = scheme.name(common, viscous ? "implicit" : "uniform") == "implicit";
+    if (viscous && !chosen)
+      throw InvalidParameter("--case " + which +
+                             " has a viscous fluid, which --scheme uniform does not know: it must "
+                             "be implicit");
+    return chosen;
+  }
+
   /// The parameters that the options ask for.
   /// @throws InvalidParameter naming what is wrong and where
   template <class Config>
@@ -60,7 +83,7 @@ struct RockOptions {
     common.configure(config);
     if (seed) config.specimen.seed = *seed;
     validate_all(config);
-    config.simulator.scheme = config.simulator.scheme.resolved();
+    config.simulator.scheme = resolved(config.simulator.scheme);
     return config;
   }
 

@@ -14,6 +14,7 @@
 
 #include "support/rock_model.hpp"
 #include "support/run_report.hpp"
+#include "support/schemes.hpp"
 #include "support/summary.hpp"
 
 namespace hfdem::support {
@@ -83,7 +84,10 @@ void summarise(Summary& s, const Config& config, const typename Config::Sim& sim
   s.set("seed", config.specimen.seed);
   s.set("E_Pa", o.moduli.young);
   s.set("poisson_ratio", o.moduli.poisson);
-  s.set("rule", config.simulator.scheme.equilibrium ? "equilibrium" : "paper");
+  s.set("rule", std::string(words_of(config.simulator.scheme).rule));
+  s.set("scheme", std::string(words_of(config.simulator.scheme).name));
+  s.set("viscosity_Pa_s", config.simulator.fluid.viscosity);
+  s.set("fluid_balance_relative_error", sim.volume_balance().relative_error());
   s.set("fluid_steps", sim.fluid_steps());
   s.set("unconverged_fluid_steps", o.run.unconverged);
   s.set("mechanical_steps", sim.mechanical_steps());

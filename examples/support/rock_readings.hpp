@@ -40,54 +40,51 @@ RockReading count_reading(const std::string& key, const std::string& name, F&& c
 }
 
 /// Table 5 of the paper.
-inline std::vector<RockReading> joint_readings(bool beside_paper) {
-  using paper::Fractured;
+inline std::vector<RockReading> joint_readings(const paper::Case& paper) {
   return {count_reading("rock", "microcracks in rock",
                         [](const RockOutcome& o) {
                           return o.count.total() - o.preset() - o.in_joints.total();
                         }),
           count_reading(
               "joints", "microcracks in joints",
-              [](const RockOutcome& o) { return o.in_joints.total(); },
-              beside_paper ? Fractured::joint_microcracks : NAN),
+              [](const RockOutcome& o) { return o.in_joints.total(); }, paper.joint_microcracks),
           count_reading(
               "connected_joints", "of which connected",
               [](const RockOutcome& o) { return o.in_joints.connected.total(); },
-              beside_paper ? Fractured::connected_joint_microcracks : NAN)};
+              paper.connected_microcracks)};
 }
 
 /// What is read of every run; not a number where a run has none.
 template <class Config>
 std::vector<RockReading> rock_readings(const Config& config, bool with_joints) {
-  using paper::Intact;
-  const auto S1 = [&](double value) { return config.is_paper_case_S1() ? value : NAN; };
+  const paper::Case paper = paper_case(config);
   std::vector<RockReading> all{
       {"first_break_pressure_Pa", "first break", "Pa",
        [](const auto& o, const auto&) { return o.first_break; }},
       {"breakdown_pressure_Pa", "breakdown", "Pa",
-       [](const auto& o, const auto&) { return o.breakdown; }, S1(Intact::breakdown_S1)},
+       [](const auto& o, const auto&) { return o.breakdown; }, paper.breakdown},
       {"propagation_pressure_Pa", "propagation", "Pa",
        [](const auto& o, const auto&) { return o.propagation; }},
       {"reached_rim_at_s", "reached the rim", "s",
        [](const auto& o, const auto&) { return o.rim_time.value_or(NAN); }}};
   for (const double time : {0.3, 0.6, 0.9, 1.5}) {
-    const bool published = time == Intact::time;
+    const bool published = time == paper::Intact::time;
     const std::string at = to_text(time) + "_s/", when = " at " + to_text(time) + " s";
     const auto add = [&](const std::string& key, const std::string& name, const std::string& unit,
-                         double observe::GrowthInstant::*value, double paper) {
+                         double observe::GrowthInstant::*value, double printed) {
       all.push_back({at + key, name + when, unit,
                      inside_at(time, [value](const auto& i) { return i.*value; }),
-                     published ? S1(paper) : NAN});
+                     published ? printed : NAN});
     };
     using observe::GrowthInstant;
-    add("tip_distance_m", "tips", "m", &GrowthInstant::tip_distance, Intact::tip_distance);
+    add("tip_distance_m", "tips", "m", &GrowthInstant::tip_distance, paper.tip_distance);
     add("connected_length_m", "microcracks", "m", &GrowthInstant::connected_length,
-        Intact::total_length);
-    add("tortuosity", "tortuosity", "", &GrowthInstant::tortuosity, Intact::tortuosity);
-    add("mean_aperture_m", "aperture", "m", &GrowthInstant::aperture, Intact::aperture);
+        paper.total_length);
+    add("tortuosity", "tortuosity", "", &GrowthInstant::tortuosity, paper.tortuosity);
+    add("mean_aperture_m", "aperture", "m", &GrowthInstant::aperture, paper.aperture);
   }
   if (with_joints)
-    for (const RockReading& r : joint_readings(config.is_paper_case_N2_S2())) all.push_back(r);
+    for (const RockReading& r : joint_readings(paper)) all.push_back(r);
   return all;
 }
 

@@ -50,7 +50,8 @@ class RockRecorder {
   template <class Sim>
   void fluid_step(const Sim& sim, const FluidStep& step) {
     growth_.fluid_step(sim, step);
-    peak_pressure_ = std::fmax(peak_pressure_, sim.injection_pressure());
+    if (sim.time() >= config_.readings.breakdown_from)
+      peak_pressure_ = std::fmax(peak_pressure_, sim.injection_pressure());
     unconverged_ += step.converged ? 0 : 1;
   }
 
@@ -72,7 +73,9 @@ class RockRecorder {
                                                        config_.readings.propagation_to),
                   .run = {how.stopped, unconverged_, watch_.seconds()}};
     // A break within a fluid step may see more pressure than its end.
-    for (const BondBreak& b : sim.breaks()) o.breakdown = std::fmax(o.breakdown, b.pressure);
+    for (const BondBreak& b : sim.breaks())
+      if (b.time >= config_.readings.breakdown_from)
+        o.breakdown = std::fmax(o.breakdown, b.pressure);
     if (how.at_rim) o.rim_time = sim.time();
     return o;
   }

@@ -32,12 +32,12 @@ class RockReport {
                    const EnergyRecord<Sim>* energy, const JointRecord<Sim>* joints) {
     page_.title =
         "A crack of " + metres(o.end.tip_distance) + " after " + observe::fixed(o.end.time, 3, "s");
-    page_.lead =
-        "A crack driven by uniform pressure through bonded discs of random size and place" +
-        (joints ? " with " + said(static_cast<long>(sim.joints().fractures().size())) +
-                      " natural fractures: "
-                : std::string(": ")) +
-        described(config_, static_cast<long>(sim.discs().size()));
+    page_.lead = "A crack driven by " + std::string(words_of(config_.simulator.scheme).driven_by) +
+                 " through bonded discs of random size and place" +
+                 (joints ? " with " + said(static_cast<long>(sim.joints().fractures().size())) +
+                               " natural fractures: "
+                         : std::string(": ")) +
+                 described(config_, static_cast<long>(sim.discs().size()));
     if (!o.run.stopped.empty())
       page_.stopped = "At " + observe::fixed(o.end.time, 4, "s") + " of " +
                       said(config_.run.end_time, "s").both() + ": " + o.run.stopped +
@@ -56,8 +56,7 @@ class RockReport {
     add_comparison(o);
     add_numbers(sim, o);
     if (joints)
-      joints->add_to(page_, sim, described(config_, static_cast<long>(sim.discs().size())),
-                     config_.is_paper_case_N2_S2());
+      joints->add_to(page_, sim, described(config_, static_cast<long>(sim.discs().size())), paper_);
     if (energy)
       energy->add_to(page_, sim, described(config_, static_cast<long>(sim.discs().size())));
     add_run(page_, sim, o.run, manifest_);
@@ -91,22 +90,20 @@ class RockReport {
   }
 
  private:
-  /// A line with a published number, where it holds.
-  static std::string published(bool holds, const std::string& value) {
-    return holds ? "paper " + value : "";
+  /// A line with a published number, where there is one.
+  template <class Words>
+  static std::string published(double value, Words&& words) {
+    return std::isfinite(value) ? "paper " + words(value) : "";
   }
 
   void add_answer(const RockOutcome& o) {
-    using paper::Intact;
-    const bool S1 = config_.is_paper_case_S1();
+    const auto plain = [](double v) { return observe::fixed(v, 2); };
     page_.numbers(
-        {{"breakdown pressure", megapascals(o.breakdown),
-          published(S1, megapascals(Intact::breakdown_S1))},
+        {{"breakdown pressure", megapascals(o.breakdown), published(paper_.breakdown, megapascals)},
          {"propagation pressure", megapascals(o.propagation),
           "mean from " + observe::fixed(config_.readings.propagation_from, 2) + " to " +
               observe::fixed(config_.readings.propagation_to, 2, "s")},
-         {"tortuosity", observe::fixed(o.end.tortuosity, 2),
-          published(S1, observe::fixed(Intact::tortuosity, 2))},
+         {"tortuosity", plain(o.end.tortuosity), published(paper_.tortuosity, plain)},
          {o.rim_time ? "reached the rim at" : "injection time", observe::fixed(o.end.time, 3, "s"),
           "of " + said(config_.run.end_time, "s").both()}});
   }
@@ -125,8 +122,8 @@ class RockReport {
     row("of which opened, w − w_{0}", o.end.opening, kgd.width, micrometres);
     row("net pressure", o.end.pressure - config_.closing_stress(), kgd.net_pressure, megapascals);
     page_.table(table);
-    page_.text("KGD is the toughness-dominated fracture in an infinite plane, for E' = " +
-               said(Intact::E_prime, "Pa").both() +
+    page_.text("KGD is the " + std::string(flows<Sim> ? "" : "toughness-dominated ") +
+               "fracture in an infinite plane, for E' = " + said(Intact::E_prime, "Pa").both() +
                " and K_{IC} = " + in_words(Intact::K_IC / 1e6) +
                " MPa·m^{1/2}, with which the paper computed it. The paper's specimen is one of "
                "many: compare means over seeds, as the option --seeds does.");
@@ -137,11 +134,11 @@ class RockReport {
           "mechanical steps and dead loads on the rim. It is no physical finding: on the "
           "square array two of these choices fail, and the fluid steps end before "
           "equilibrium.");
-    if (!config_.is_paper_case_S1()) return;
-    page_.text("The paper prints for its specimen at 1.5 s: tips " + metres(Intact::tip_distance) +
-               " apart, microcracks of " + metres(Intact::total_length) +
-               " in all, a tortuosity of " + observe::fixed(Intact::tortuosity, 2) +
-               " and an aperture of " + micrometres(Intact::aperture) +
+    if (!std::isfinite(paper_.tip_distance)) return;
+    page_.text("The paper prints for its specimen at 1.5 s: tips " + metres(paper_.tip_distance) +
+               " apart, microcracks of " + metres(paper_.total_length) +
+               " in all, a tortuosity of " + observe::fixed(paper_.tortuosity, 2) +
+               " and an aperture of " + micrometres(paper_.aperture) +
                ". In equilibrium, a crack of this toughness leaves a specimen of 1 m before that "
                "time: reaching the rim is what is to be expected.");
   }
@@ -171,12 +168,12 @@ class RockReport {
          {"contacts of the preset crack", said(static_cast<long>(sim.preset_contacts().size()))},
          {"Young's modulus of the specimen", observe::fixed(o.moduli.young / 1e9, 2, "GPa")},
          {"Poisson's ratio of the specimen", observe::fixed(o.moduli.poisson, 3)},
-         {"a fluid step ends",
-          config_.simulator.scheme.equilibrium ? "at equilibrium" : "by the paper's rule"}});
+         {"a fluid step ends", std::string(words_of(config_.simulator.scheme).ends)}});
   }
 
   const Config& config_;
   const Manifest& manifest_;
+  const paper::Case paper_ = paper_case(config_);
   observe::Report page_;
 };
 

@@ -169,7 +169,7 @@ class RockResults {
     summarise(s, config_, sim, outcome_, growth());
     s.set("threads", manifest_.threads);
     if (energy_) energy_->summarise(s);
-    if (joints_) joints_->summarise(s, sim, config_.is_paper_case_N2_S2());
+    if (joints_) joints_->summarise(s, sim, paper_case(config_));
     if (const auto prediction = prediction_of(measured_, config_))
       summarise(s, *prediction, same_rock(*measured_, config_), outcome_.end);
     const auto kgd = paper_kgd(config_, outcome_.end.time);
@@ -179,8 +179,8 @@ class RockResults {
     s.compare("kgd/aperture_at_injection_m", outcome_.end.aperture, kgd.width);
     s.compare("kgd/net_pressure_Pa", outcome_.end.pressure - config_.closing_stress(),
               kgd.net_pressure);
-    if (config_.is_paper_case_S1())
-      s.compare("paper/breakdown_pressure_Pa", outcome_.breakdown, paper::Intact::breakdown_S1);
+    if (const double published = paper_case(config_).breakdown; std::isfinite(published))
+      s.compare("paper/breakdown_pressure_Pa", outcome_.breakdown, published);
     return s;
   }
 

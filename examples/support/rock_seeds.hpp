@@ -164,8 +164,8 @@ class RockSeeds {
     auto chart = bundle("Distance between the tips", "distance (m)",
                         [](const auto& i) { return i.tip_distance; });
     predict(chart, [](const auto& crack) { return crack.full_length; });
-    if (config_.is_paper_case_S1())
-      chart.points = {{"paper", paper::Intact::time, paper::Intact::tip_distance}};
+    const double published = paper_case(config_).tip_distance;
+    if (std::isfinite(published)) chart.points = {{"paper", paper::Intact::time, published}};
     return chart;
   }
   template <class F>
@@ -173,7 +173,8 @@ class RockSeeds {
     double last = 0;
     for (const Run& run : runs_)
       if (!run.history.empty()) last = std::fmax(last, run.history.back().time);
-    chart.x_range = observe::Range{0, std::fmax(last, config_.is_paper_case_S1() ? 1.53 : 0)};
+    const bool published = std::isfinite(paper_case(config_).tip_distance);
+    chart.x_range = observe::Range{0, std::fmax(last, published ? 1.53 : 0)};
     const auto prediction = prediction_of(measured_, config_);
     add_predicted(chart, prediction ? &*prediction : nullptr, value);
   }

@@ -1,7 +1,7 @@
 /// @file
 /// A run from its begin, or from its checkpoint, to its end:
 ///
-///     std::optional<Kgd> sim;                        // outlives whatever stops the run
+///     std::optional<Sim> sim;                        // outlives whatever stops the run
 ///     make_or_resume(sim, checkpoint, specimen, params);
 ///     drive(*sim, end_time, results, checkpoint, quiet);
 #pragma once

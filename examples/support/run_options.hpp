@@ -27,4 +27,13 @@ struct RunOptions {
   }
 };
 
+/// The parameters of a scheme, with its rule's own values where none are given.
+template <class SchemeParams>
+SchemeParams resolved(const SchemeParams& p) {
+  if constexpr (requires { p.resolved(); })
+    return p.resolved();
+  else
+    return p;
+}
+
 }  // namespace hfdem::support

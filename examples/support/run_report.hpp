@@ -15,6 +15,7 @@
 #include <hfdem/observe/report.hpp>
 
 #include "support/manifest.hpp"
+#include "support/run_options.hpp"
 #include "support/settings.hpp"
 
 namespace hfdem::support {
@@ -219,7 +220,7 @@ template <class Tree>
 void add_origin(observe::Report& page, const Tree& tree, const std::vector<observe::File>& files,
                 const Manifest& made) {
   Tree defaults;
-  defaults.simulator.scheme = defaults.simulator.scheme.resolved();
+  defaults.simulator.scheme = resolved(defaults.simulator.scheme);
   add_parameters(page, tree, defaults);
   page.section("Files");
   page.files(files);

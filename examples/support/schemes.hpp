@@ -1,0 +1,117 @@
+/// @file
+/// The pressure schemes that programs offer: their choice on the command line, and what reports say
+/// of them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <hfdem/analytic/kgd_general.hpp>
+#include <hfdem/pressure/conventional.hpp>
+#include <hfdem/pressure/implicit.hpp>
+#include <hfdem/pressure/uniform.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include "support/command_line.hpp"
+
+namespace hfdem::support {
+
+/// What reports say of a scheme.
+struct SchemeWords {
+  std::string_view name;       ///< on the command line
+  std::string_view rule;       ///< in summary.json: when a fluid step ends
+  std::string_view ends;       ///< the same in words: "a fluid step ends ..."
+  std::string_view driven_by;  ///< "a crack driven by ..."
+  std::string_view steps;      ///< "fluid steps ..."
+};
+inline SchemeWords words_of(const UniformPressure::Params& p) {
+  return p.equilibrium ? SchemeWords{"uniform", "equilibrium", "at equilibrium", "uniform pressure",
+                                     "under equilibrium control"}
+                       : SchemeWords{"uniform", "paper", "by the paper's rule", "uniform pressure",
+                                     "by the paper's rule"};
+}
+inline SchemeWords words_of(const ConventionalFlow<>::Params&) {
+  return {"conventional", "explicit", "after one mechanical step", "a flowing fluid",
+          "with explicit flow"};
+}
+inline SchemeWords words_of(const ImplicitFlow<>::Params&) {
+  return {"implicit", "equilibrium", "at equilibrium", "a flowing fluid", "with implicit flow"};
+}
+
+/// Whether viscosity matters to a simulator.
+template <class Sim>
+inline constexpr bool flows =
+    FlowScheme<std::remove_cvref_t<decltype(std::declval<const Sim&>().pressure_scheme())>>;
+
+/// The fluid in a caption: ", a fluid of 100 cp"; nothing where its viscosity does not matter.
+template <class Sim>
+std::string said_fluid(const typename Sim::Params& p) {
+  if constexpr (flows<Sim>) return " of a fluid of " + in_words(p.fluid.viscosity * 1e3) + " cp";
+  return "";
+}
+
+/// The KGD fracture in an infinite plane: the general solution, or the toughness vertex where
+/// viscosity does not matter. @param E_prime Pa @param K_IC Pa sqrt(m) @param time s
+template <class Sim>
+analytic::KgdFracture reference_kgd(const typename Sim::Params& p, double E_prime, double K_IC,
+                                    double time) {
+  if (!flows<Sim> || time <= 0)
+    return analytic::toughness_vertex(E_prime, K_IC, p.injection.rate, time);
+  return analytic::general_kgd({.E_prime = E_prime,
+                                .K_IC = K_IC,
+                                .viscosity = p.fluid.viscosity,
+                                .rate = p.injection.rate,
+                                .time = time});
+}
+
+/// Which one a program is to run.
+class SchemeChoice {
+ public:
+  /// @param offered names of schemes
+  template <class Names>
+  void add_to(CLI::App& app, const Names& offered) {
+    app.add_option("--scheme", asked_,
+                   "pressure scheme; by default that of the parameter file or of the case")
+        ->check(CLI::IsMember(offered))
+        ->excludes("--resume");
+  }
+
+  /// The one that was asked for, or whose parameters the file has, or else the usual one.
+  std::string name(const CommandLine& options, const std::string& usual) const {
+    if (!asked_.empty()) return asked_;
+    if (options.config.empty()) return usual;
+    const auto settings = read_toml(options.config);
+    for (const std::string& name :
+         {usual, std::string("uniform"), std::string("conventional"), std::string("implicit")})
+      if (knows_all(name, settings)) return name;
+    return usual;  // which will say what it does not know
+  }
+
+ private:
+  template <class Scheme>
+  static bool knows(const std::string& key) {
+    bool known = false;
+    for_each_field<typename Scheme::Params>(
+        [&](const auto& field) { known = known || field.name == key; });
+    return known;
+  }
+
+  static bool knows_all(const std::string& name, const std::vector<Setting>& settings) {
+    for (const Setting& s : settings) {
+      if (s.section != "scheme") continue;
+      const bool known = name == "uniform"        ? knows<UniformPressure>(s.key)
+                         : name == "conventional" ? knows<ConventionalFlow<>>(s.key)
+                                                  : knows<ImplicitFlow<>>(s.key);
+      if (!known) return false;
+    }
+    return true;
+  }
+
+  std::string asked_;
+};
+
+}  // namespace hfdem::support
