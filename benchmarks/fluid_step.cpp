@@ -1,15 +1,22 @@
 /// @file
-/// What one fluid step of the uniform-pressure scheme costs, by the paper's rule and at
-/// equilibrium, for small and large specimens and short and long cracks; and what the fluid alone
-/// costs: pressure update, loads on the discs, widths and volumes.
+/// What one fluid step costs: of each pressure scheme on its own, in cracks of 1e2 to 1e5 domains
+/// whose walls do not move, for three viscosities; of the uniform scheme with the mechanics that it
+/// asks for; and how long each scheme takes to carry the square array to the same injected volume.
 ///
-/// You should see a fluid step cost as much as its mechanical steps, at the same price per contact
-/// as without fluid: the fluid alone takes some 30 ns per channel, which for 60 channels among
-/// 10 000 discs is 1 % of a mechanical step.
+///   build/release/benchmarks/fluid_step                          all but the race
+///   build/release/benchmarks/fluid_step --race                   all three schemes, to 0.9 s
+///
+/// You should see the fluid alone cost some 10 to 100 ns per domain, little beside the mechanical
+/// steps; and in the race uniform pressure ahead, implicit flow within twice its time at any
+/// viscosity, and explicit flow far behind where the viscosity is low.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <numbers>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,11 +24,16 @@
 #include <hfdem/base/units.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
+#include <hfdem/pressure/conventional.hpp>
+#include <hfdem/pressure/implicit.hpp>
 #include <hfdem/pressure/uniform.hpp>
 #include <hfdem/setup/square_array.hpp>
 #include <hfdem/simulator.hpp>
 
 #include <benchmark/benchmark.h>
+
+#include "flow_network.hpp"
+#include "scheme_race.hpp"
 
 namespace {
 
@@ -83,39 +95,38 @@ void fluid_step(benchmark::State& state) {
   state.counters["s_per_contact_and_mechanical_step"] = seconds_per(mechanical * contacts);
 }
 
-/// The fluid's share of the mechanical steps: the discs do not move, only what the simulator does
-/// for the fluid is done. Arguments: discs per side, broken contacts of the preset crack.
+/// A scheme, ready to flow where the walls do not move.
+template <class Scheme>
+Scheme made(double viscosity) {
+  const RockResponse rigid{.modulus = std::numeric_limits<double>::infinity(), .wave_step = 1};
+  if constexpr (std::is_same_v<Scheme, UniformPressure>)
+    return Scheme({.max_mechanical_steps = 1});
+  else if constexpr (std::is_same_v<Scheme, ImplicitFlow<>>)
+    return Scheme({.max_mechanical_steps = 1}, NewtonianFluid({.viscosity = viscosity}), rigid);
+  else
+    return Scheme({.sub_cycling = false}, NewtonianFluid({.viscosity = viscosity}), rigid);
+}
+
+/// One fluid step with one call for mechanics, which does nothing. Arguments: domains, viscosity in
+/// micropascal seconds.
+template <class Scheme>
 void fluid_alone(benchmark::State& state) {
-  const Kgd& simulator =
-      prepared(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
-  const auto& rock = simulator.contacts();
-  const auto& displacement = simulator.discs().displacement;
-  const HyperbolicAperture aperture(simulator.params().aperture);
-  UniformPressure scheme(simulator.params().scheme);
-  Network network = simulator.network();
-  std::vector<Vec2> load(simulator.discs().size());
-  double steps = 0;
-  const auto relax = [&]() -> Relaxed {
-    for (const Index i : network.pushed_discs()) load[i] = network.force_on(i);
-    for (const Index c : network.wet_channels()) {
-      const double compression = rock.response(c, displacement).reaction().normal;
-      const double opening = rock.motion(c, displacement).opening;
-      network.set_width(c, aperture.width(network.rest_width(c), max(0.0, compression), opening));
-    }
-    ++steps;
-    return {.unbalanced_ratio = 1, .breaks = 0};
-  };
-  // Twice the volume never fits into a crack that does not move: every step is of full length.
-  const Injected injected{.total = 2 * simulator.injected_volume(), .step = 0, .dt = 0};
+  Network network = benchmark_support::flow_network(static_cast<int>(state.range(0)), 5_mm, 50e-6);
+  const auto domains = static_cast<double>(network.wet_domains().size());
+  auto scheme = made<Scheme>(1e-6 * static_cast<double>(state.range(1)));
+  const auto relax = []() -> Relaxed { return {.unbalanced_ratio = 0, .breaks = 0}; };
+  double time = 0, injected = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(scheme.advance(network, injected, relax));
+    const double dt = scheme.fluid_dt(1e-6), volume = 0.5e-4 * dt;
+    time += dt;
+    injected += volume;
+    benchmark::DoNotOptimize(scheme.advance(network, Injected{injected, volume, dt}, relax));
     benchmark::ClobberMemory();
   }
-  const auto channels = static_cast<double>(network.wet_channels().size());
-  state.counters["channels"] = channels;
-  state.counters["mechanical_steps"] = steps / static_cast<double>(state.iterations());
-  state.counters["s_per_mechanical_step"] = seconds_per(steps);
-  state.counters["s_per_channel_and_mechanical_step"] = seconds_per(steps * channels);
+  state.counters["domains"] = domains;
+  state.counters["fluid_dt_us"] = 1e6 * time / static_cast<double>(state.iterations());
+  state.counters["s_per_step"] = seconds_per(static_cast<double>(state.iterations()));
+  state.counters["s_per_domain"] = seconds_per(domains * static_cast<double>(state.iterations()));
 }
 
 /// Small, default and large specimens, with cracks that leave room to run.
@@ -128,12 +139,29 @@ void step_arguments(benchmark::internal::Benchmark* benchmark) {
 }
 
 void fluid_arguments(benchmark::internal::Benchmark* benchmark) {
-  benchmark->ArgNames({"side", "crack"})->Args({40, 4});
-  for (const std::int64_t crack : {4, 20, 60}) benchmark->Args({100, crack});
+  benchmark->ArgNames({"domains", "viscosity_uPas"});
+  for (const std::int64_t domains : {100, 1000, 9999, 100000})
+    for (const std::int64_t viscosity : {60, 1000, 100000}) benchmark->Args({domains, viscosity});
 }
 
 }  // namespace
 
+BENCHMARK(fluid_alone<UniformPressure>)->Apply(fluid_arguments)->MinTime(0.05);
+BENCHMARK(fluid_alone<ImplicitFlow<>>)->Apply(fluid_arguments)->MinTime(0.05);
+BENCHMARK(fluid_alone<ConventionalFlow<>>)->Apply(fluid_arguments)->MinTime(0.05);
 BENCHMARK(fluid_step)->Apply(step_arguments)->Iterations(60)->Unit(benchmark::kMicrosecond);
-BENCHMARK(fluid_alone)->Apply(fluid_arguments)->MinTime(0.1)->Unit(benchmark::kMicrosecond);
-BENCHMARK_MAIN();
+
+int main(int argc, char** argv) {
+  double race = 0;
+  // `--race` or `--race=0.1`: to that injection time, s.
+  const auto is_race = [&](const std::string& argument) {
+    if (argument.rfind("--race", 0) != 0) return false;
+    race = argument.size() > 7 ? std::stod(argument.substr(7)) : 0.9;
+    return true;
+  };
+  argc = static_cast<int>(std::remove_if(argv + 1, argv + argc, is_race) - argv);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  if (race > 0) benchmark_support::SchemeRace(race).run();
+}
