@@ -5,7 +5,7 @@
 
 #include <hfdem/analytic/joint_crossing.hpp>
 #include <hfdem/analytic/joint_strength.hpp>
-#include <hfdem/analytic/kgd_regime.hpp>
+#include <hfdem/analytic/kgd_regions.hpp>
 #include <hfdem/analytic/plate_growth.hpp>
 #include <hfdem/analytic/pressurised_crack.hpp>
 #include <hfdem/analytic/rock_fracture.hpp>

@@ -16,7 +16,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOND = "contact/linear_parallel_bond.hpp"
-KGD, PROFILE, TIP, GENERAL, REGIME = (f"analytic/kgd{s}.hpp" for s in ("", "_profile", "_tip", "_general", "_regime"))
+KGD, PROFILE, TIP, GENERAL, REGIME, REGIONS = (f"analytic/kgd{s}.hpp" for s in ("", "_profile", "_tip", "_general", "_regime", "_regions"))
 LEDGER = "measure/energy_ledger.hpp"
 JOINT = "contact/smooth_joint.hpp"
 CRACK = "analytic/pressurised_crack.hpp"
@@ -121,6 +121,13 @@ MUTATIONS = [
     ("bound of the M~ regime in time", REGIME, "2.36e6", "2.48e6", "analytic/kgd_regime"),
     ("tau", REGIME, "/ p.rate * p.C_prime(), 3)", "/ p.rate * p.C_prime(), 3.15)", "analytic/kgd_regime"),
     ("K_m", REGIME, "return p.K_prime() / p", "return 1.05 * p.K_prime() / p", "analytic/kgd_regime"),
+    ("width in the distance of a vertex", REGIME, "std::log(vertex.width / general.width));", "0);", "analytic/kgd_regions"),
+    ("length in the distance of a vertex", REGIME, "std::log(vertex.half_length / general.half_length),", "0,", "analytic/kgd_regions"),
+    ("tolerance on the bound of a region", REGIONS, "1e-3 * tolerance) / tolerance)", "1e-3 * tolerance) / (1.05 * tolerance))", "analytic/kgd_regions"),
+    ("precision of the bound of a region", REGIONS, "surplus, 1e-4)", "surplus, 1e-2)", "analytic/kgd_regions"),
+    ("leak-off of a place on the map", REGIONS, "place.log_time / 6) / 2,", "place.log_time / 6),", "analytic/kgd_regions"),
+    ("toughness of a place on the map", REGIONS, "place.log_toughness) / k_prime(1)", "place.log_toughness)", "analytic/kgd_regions"),
+    ("place that closes a region", REGIONS, "2 * far * step.log_time,", "2 * step.log_time,", "analytic/kgd_regions"),
     ("width of a pressurised crack", CRACK, "4 * net_pressure", "4.2 * net_pressure", "analytic/pressurised_crack"),
     ("volume of a pressurised crack", CRACK, "std::numbers::pi / 2", "std::numbers::pi / 2.1", "analytic/pressurised_crack"),
     ("K_I of a pressurised crack", CRACK, "net_pressure * std::sqrt(", "1.05 * net_pressure * std::sqrt(", "analytic/pressurised_crack"),

@@ -23,12 +23,12 @@ namespace hfdem::analytic {
 namespace detail {
 
 /// The zero between a and b of a function with opposite signs there, otherwise b (regula falsi,
-/// Illinois rule).
+/// Illinois rule): where the function is `precision` of its value at a, or less.
 template <class F>
-double zero_between(double a, double b, F&& f) {
+double zero_between(double a, double b, F&& f, double precision = 1e-14) {
   double f_a = f(a), f_b = f(b);
   if ((f_a < 0) == (f_b < 0)) return b;
-  const double close = 1e-14 * std::abs(f_a);
+  const double close = precision * std::abs(f_a);
   for (int k = 0; k < 200 && std::abs(f_b) > close && std::abs(b - a) > 1e-15 * std::abs(b); ++k) {
     double c = b - f_b * (b - a) / (f_b - f_a);
     if (!(c > std::fmin(a, b) && c < std::fmax(a, b))) c = (a + b) / 2;

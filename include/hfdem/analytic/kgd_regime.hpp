@@ -32,16 +32,20 @@ enum class KgdRegime {
   transitional
 };
 
+/// The decimal logarithm of tau / K_m^4 = E'^4 C'^6 t / (K'^4 Q^2), the time by which leak-off
+/// takes over from storage where toughness dominates: no viscosity is in it.
+inline double log_toughness_time(const KgdProblem& p) {
+  return 4 * std::log10(p.E_prime / p.K_prime()) + 6 * std::log10(p.C_prime()) +
+         std::log10(p.time) - 2 * std::log10(p.rate);
+}
+
 /// The regime by the bounds that Dontsov (Int. J. Fract. 205 (2017) 221-237) and the paper's Fig. 4
 /// draw. On them the vertex is about 1 % off the general solution (the root of the sum of the
 /// squares in length and width).
 inline KgdRegime regime(const KgdProblem& p) {
   const double K_m = dimensionless_toughness(p);
   const double log_time = std::log10(dimensionless_time(p));
-  // tau / K_m^4 = E'^4 C'^6 t / (K'^4 Q^2): the time of toughness and leak-off, without viscosity.
-  const double log_tough_time = 4 * std::log10(p.E_prime / p.K_prime()) +
-                                6 * std::log10(p.C_prime()) + std::log10(p.time) -
-                                2 * std::log10(p.rate);
+  const double log_tough_time = log_toughness_time(p);
   if (K_m > 4.80 && log_tough_time < std::log10(1.25e-14)) return KgdRegime::storage_toughness;
   if (K_m > 4.80 && log_tough_time > std::log10(1.76e5)) return KgdRegime::leak_off_toughness;
   if (K_m < 0.70 && log_time < std::log10(1.21e-13)) return KgdRegime::storage_viscosity;
@@ -49,26 +53,37 @@ inline KgdRegime regime(const KgdProblem& p) {
   return KgdRegime::transitional;
 }
 
+/// A problem's fracture at one of the vertices.
+inline KgdFracture at_vertex(KgdRegime vertex, const KgdProblem& p) {
+  constexpr std::array vertices{&storage_toughness, &storage_viscosity, &leak_off_toughness,
+                                &leak_off_viscosity};
+  return vertices[static_cast<std::size_t>(vertex)](p);
+}
+
+/// How far a vertex is from the general solution of the same problem: the root of the sum of the
+/// squares of the logarithms of the ratios of half-length and width at the injection. (By length
+/// alone M~ and K~ would be the same.) Infinite where the vertex has no fracture.
+inline double vertex_distance(const KgdFracture& vertex, const KgdFracture& general) {
+  return std::hypot(std::log(vertex.half_length / general.half_length),
+                    std::log(vertex.width / general.width));
+}
+
 /// A vertex, and how far it is from the general solution.
 struct NearestVertex {
   KgdRegime regime = KgdRegime::transitional;  ///< never that, once found
   KgdFracture fracture{};                      ///< of the same problem at the vertex
-  /// From `general`: the root of the sum of the squares of the logarithms of the ratios of
-  /// half-length and width at the injection.
-  double distance = INFINITY;
+  double distance = INFINITY;                  ///< `vertex_distance`
 };
 
 /// The vertex closest to the general solution.
 inline NearestVertex nearest_vertex(const KgdProblem& p, const KgdFracture& general) {
-  const std::array vertices{&storage_toughness, &storage_viscosity, &leak_off_toughness,
-                            &leak_off_viscosity};
   NearestVertex nearest;
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const KgdFracture f = vertices[k](p);
+  for (std::size_t k = 0; k < std::size_t(KgdRegime::transitional); ++k) {
+    const auto vertex = static_cast<KgdRegime>(k);
+    const KgdFracture f = at_vertex(vertex, p);
     // Without viscosity, toughness or leak-off some vertices lie infinitely far: never closer.
-    const double distance = std::hypot(std::log(f.half_length / general.half_length),
-                                       std::log(f.width / general.width));
-    if (distance < nearest.distance) nearest = {static_cast<KgdRegime>(k), f, distance};
+    const double distance = vertex_distance(f, general);
+    if (distance < nearest.distance) nearest = {vertex, f, distance};
   }
   return nearest;
 }
