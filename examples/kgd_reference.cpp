@@ -17,6 +17,9 @@
 //
 //   build/release/examples/kgd_reference --E-prime 35.1e9 --K-IC 1.88e6 --viscosity 0
 //       --leak-off 0 --rate 0.5e-4 --time 0.9 --plate 1 --sides rigid
+//
+// With --map FILE.svg also a picture of the map of propagation regimes (the paper's Fig. 4) with
+// the fracture on it.
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -38,7 +41,7 @@ int main(int argc, char** argv) {
   });
   KgdReferenceOptions options;
   options.add_to(app);
-  try {
+  return guarded("kgd_reference", app, [&] {
     app.parse(argc, argv);
     const auto problem = options.problem();
     const int points = options.profile_points();
@@ -48,12 +51,9 @@ int main(int argc, char** argv) {
     describe(json, problem, fracture);
     if (plate) describe(json, problem, *plate);
     describe_profile(json, fracture, points);
+    if (!options.map_file().empty())
+      write_whole_file(options.map_file(), observe::svg(regime_map(problem, fracture)));
     std::fputs(json.json().c_str(), stdout);
     return success;
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? success : bad_input;
-  } catch (const InvalidParameter& e) {
-    std::fprintf(stderr, "kgd_reference: %s\n", e.what());
-    return bad_input;
-  }
+  });
 }

@@ -1,9 +1,10 @@
 /// @file
-/// What kgd_reference prints: reference solutions as JSON.
+/// What kgd_reference prints and draws: reference solutions as JSON, and the map of regimes.
 #pragma once
 
 #include <hfdem/analytic/kgd_regime.hpp>
 #include <hfdem/analytic/plate_growth.hpp>
+#include <hfdem/observe/regime_map.hpp>
 
 #include "support/kgd_reference_options.hpp"
 #include "support/summary.hpp"
@@ -61,6 +62,21 @@ inline void describe(Summary& json, const analytic::KgdProblem& p, const PlateOp
   json.set("plate/net_pressure_Pa", crack.net_pressure);
   json.set("plate/full_length_at_splitting_m", growth.length_at_splitting());
   json.set("plate/time_at_splitting_s", growth.volume_at_splitting() / p.rate);
+}
+
+/// The map of regimes with the fracture on it.
+inline observe::RegimeMap regime_map(const analytic::KgdProblem& p,
+                                     const analytic::KgdFracture& f) {
+  std::string conditions;
+  for_each_field<analytic::KgdProblem>([&](const auto& field) {
+    conditions += (conditions.empty() ? "" : ", ") + std::string(field.name) + " = " +
+                  to_text(p.*(field.member)) + "\u00a0" + std::string(field.unit);
+  });
+  const auto nearest = analytic::nearest_vertex(p, f);
+  const std::string verdict = nearest.distance < 0.1 ? observe::drawing::percent(nearest.distance) +
+                                                           " from " + name(nearest.regime)
+                                                     : name(analytic::KgdRegime::transitional);
+  return {.points = {{"this fracture", p, verdict}}, .conditions = conditions + "."};
 }
 
 }  // namespace hfdem::support

@@ -59,6 +59,8 @@ class KgdReferenceOptions {
     app.add_option("--profile", profile_,
                    "also the profiles, at N points from the injection to the tip")
         ->type_name("N");
+    app.add_option("--map", map_, "also a picture: the fracture on the map of regimes (SVG)")
+        ->type_name("FILE");
   }
 
   /// @throws InvalidParameter naming the option, its value and the range
@@ -105,6 +107,9 @@ class KgdReferenceOptions {
     return static_cast<int>(points);
   }
 
+  /// Where the map of regimes goes; empty if none is wanted.
+  const std::string& map_file() const { return map_; }
+
  private:
   static std::string option_name(std::string_view field) {
     std::string name = "--" + std::string(field);
@@ -113,7 +118,7 @@ class KgdReferenceOptions {
   }
 
   std::array<std::string, std::tuple_size_v<decltype(analytic::KgdProblem::fields())>> texts_;
-  std::string plate_, sides_, poisson_, profile_;
+  std::string plate_, sides_, poisson_, profile_, map_;
 };
 
 }  // namespace hfdem::support

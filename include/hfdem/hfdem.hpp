@@ -38,6 +38,7 @@
 #include <hfdem/observe/growth.hpp>
 #include <hfdem/observe/history.hpp>
 #include <hfdem/observe/paraview.hpp>
+#include <hfdem/observe/regime_map.hpp>
 #include <hfdem/observe/report.hpp>
 #include <hfdem/observe/specimen_picture.hpp>
 #include <hfdem/observe/stress_map.hpp>

@@ -5,9 +5,12 @@
 
 import json
 import math
+import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
+import xml.etree.ElementTree
 
 KGD_REFERENCE = sys.argv.pop(1)
 ROCK = {"--E-prime": "35.1e9", "--K-IC": "1.88e6", "--viscosity": "0", "--leak-off": "0",
@@ -123,6 +126,43 @@ class KgdReferenceTest(unittest.TestCase):
         self.check(plate["time_at_splitting_s"], 1.00, 0.01)
         self.check(plate["full_length_at_splitting_m"], 0.912, 2e-3)
 
+    def test_the_map_shows_the_fracture_among_the_regimes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "map.svg"
+            answer = self.answer("--map", str(file), viscosity="0.1", leak_off="1e-6")
+            root = xml.etree.ElementTree.parse(file).getroot()
+            self.assertEqual([f.name for f in file.parent.iterdir()], ["map.svg"])
+        texts = {"".join(t.itertext()): t for t in root.iter("{http://www.w3.org/2000/svg}text")}
+        for words in ("toughness (K)", "viscosity (M)", "toughness (K~)", "viscosity (M~)",
+                      "no leak-off", "this fracture", "storage-viscosity"):
+            self.assertIn(words, texts)
+        self.assertIn("leak_off = 1e-06\u00a0m/s^0.5", root.find("{http://www.w3.org/2000/svg}desc").text)
+
+        # The one ring is at its tau and K_m by the ticks of the axes.
+        ring, = root.iter("{http://www.w3.org/2000/svg}circle")
+
+        def logarithm(at, axis, low, high):
+            (low_words, low_value), (high_words, high_value) = low, high
+            start, end = (float(texts[words].get(axis)) for words in (low_words, high_words))
+            return low_value + (at - start) / (end - start) * (high_value - low_value)
+
+        self.assertAlmostEqual(logarithm(float(ring.get("cx")), "x", ("10\u221215", -15), ("105", 5)),
+                               math.log10(answer["tau"]), delta=0.02)
+        # The words of a tick have their base line 4 pixels below it.
+        self.assertAlmostEqual(logarithm(float(ring.get("cy")) + 4, "y", ("0.1", -1),
+                                         ("20", math.log10(20))),
+                               math.log10(answer["K_m"]), delta=0.005)
+
+    def test_the_map_says_how_far_the_nearest_vertex_is(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "map.svg"
+            answer = self.answer("--map", str(file), viscosity="0.1")
+            self.assertIn(f"{100 * answer['nearest_vertex']['distance']:.1f}\u00a0% from", file.read_text())
+
+    def test_a_map_that_cannot_be_written_is_said(self):
+        done = self.run_program("--map", "/nowhere/map.svg", status=1)
+        self.check_refusal(done, "/nowhere/map.svg")
+
     def test_nonsense_is_refused_in_one_sentence_with_option_value_and_range(self):
         for option, range_words in (("--E-prime", "at least 1e-20 Pa"),
                                     ("--K-IC", "at least 0 Pa m^0.5"),
@@ -172,7 +212,7 @@ class KgdReferenceTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0)
         for words in ("--E-prime", "Pa", "--K-IC", "Pa m^0.5", "--viscosity", "Pa s",
                       "--leak-off", "m/s^0.5", "--rate", "m2/s", "both wings", "--time",
-                      "--plate", "--sides", "--poisson", "--profile"):
+                      "--plate", "--sides", "--poisson", "--profile", "--map"):
             self.assertIn(words, done.stdout)
 
 

@@ -80,6 +80,29 @@ inline std::string paint(Series::Style style, Colour colour) {
   return stroke(colour, 5.0) + round;
 }
 
+/// A ring and its name, clear of the obstacles where that can be; the name is one more of them.
+inline std::string ring(Pixel at, const std::vector<std::string>& words, Colour colour,
+                        const Box& plot, Line& obstacles) {
+  TextStyle style{.colour = readable(colour), .halo = true};
+  const auto [box, anchor] = place_beside(
+      at, {.width = widest(words), .height = style.leading() * static_cast<double>(words.size())},
+      plot, obstacles);
+  obstruct(obstacles, box);
+  style.anchor = anchor;
+  const double share = anchor == "start" ? 0.0 : anchor == "end" ? 1.0 : 0.5;
+  const Pixel near{std::clamp(at.x, box.left, box.right()),
+                   std::clamp(at.y, box.top, box.bottom())};
+  const double distance = std::hypot(near.x - at.x, near.y - at.y);
+  std::string leader;
+  if (distance > 15.0) {
+    const double rim = 5.5 / distance;
+    leader = line({{std::lerp(at.x, near.x, rim), std::lerp(at.y, near.y, rim)}, near},
+                  stroke(style.colour, 0.7));
+  }
+  return leader + circle(at, 4.5, stroke(colour, 2.0)) +
+         text({box.left + share * box.width, box.top + style.size}, words, style);
+}
+
 /// The parts of a chart that depend on its axes.
 class Plot {
  public:
@@ -168,35 +191,13 @@ class Plot {
       obstruct(obstacles_, {{at.x - 6.0, at.y}, {at.x + 6.0, at.y}, {at.x, at.y - 6.0}});
     }
     std::string out;
-    for (const auto& [at, point] : visible) out += mark(*point, at);
+    for (const auto& [at, point] : visible)
+      out += ring(at, wrap(point->name, name_width_), point->colour, box_, obstacles_);
     return out;
   }
 
  private:
   [[nodiscard]] Pixel pixel(double x, double y) const { return {x_.pixel(x), y_.pixel(y)}; }
-
-  [[nodiscard]] std::string mark(const Point& point, Pixel at) {
-    TextStyle style{.colour = readable(point.colour), .halo = true};
-    const auto words = wrap(point.name, name_width_);
-    const auto [box, anchor] = place_beside(
-        at, {.width = widest(words), .height = style.leading() * static_cast<double>(words.size())},
-        box_, obstacles_);
-    for (double y = box.top; y < box.bottom(); y += 6.0)
-      obstruct(obstacles_, {{box.left, y}, {box.right(), y}});
-    style.anchor = anchor;
-    const double share = anchor == "start" ? 0.0 : anchor == "end" ? 1.0 : 0.5;
-    const Pixel near{std::clamp(at.x, box.left, box.right()),
-                     std::clamp(at.y, box.top, box.bottom())};
-    const double distance = std::hypot(near.x - at.x, near.y - at.y);
-    std::string leader;
-    if (distance > 15.0) {
-      const double ring = 5.5 / distance;
-      leader = line({{std::lerp(at.x, near.x, ring), std::lerp(at.y, near.y, ring)}, near},
-                    stroke(style.colour, 0.7));
-    }
-    return leader + circle(at, 4.5, stroke(point.colour, 2.0)) +
-           text({box.left + share * box.width, box.top + style.size}, words, style);
-  }
 
   /// The unbroken parts of a series.
   [[nodiscard]] std::vector<Line> pieces(const Series& series) const {

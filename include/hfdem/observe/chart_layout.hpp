@@ -172,6 +172,12 @@ inline void obstruct(Line& obstacles, const Line& line) {
   }
 }
 
+/// The same all over `box`.
+inline void obstruct(Line& obstacles, const Box& box) {
+  for (double y = box.top; y < box.bottom(); y += 6.0)
+    obstruct(obstacles, {{box.left, y}, {box.right(), y}});
+}
+
 /// Where a line leaves the plot on the right, or ends in it, if it enters it at all.
 inline std::optional<Pixel> end_in(const Box& plot, const Line& line) {
   std::optional<Pixel> end;
