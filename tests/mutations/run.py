@@ -21,6 +21,7 @@ LEDGER = "measure/energy_ledger.hpp"
 JOINT = "contact/smooth_joint.hpp"
 CRACK = "analytic/pressurised_crack.hpp"
 PLATE, FIELDS, SOLVER, GROWTH = (f"analytic/plate{s}.hpp" for s in ("", "_fields", "_solver", "_growth"))
+REGIME_MAP, REGIME_LAYOUT = "observe/regime_map.hpp", "observe/regime_layout.hpp"
 JOINTS, RANDOM_FRACTURES = "setup/joints.hpp", "setup/random_fractures.hpp"
 
 # name, header, what stands there, what a careless hand writes, the tests that must see it
@@ -128,6 +129,16 @@ MUTATIONS = [
     ("leak-off of a place on the map", REGIONS, "place.log_time / 6) / 2,", "place.log_time / 6),", "analytic/kgd_regions"),
     ("toughness of a place on the map", REGIONS, "place.log_toughness) / k_prime(1)", "place.log_toughness)", "analytic/kgd_regions"),
     ("place that closes a region", REGIONS, "2 * far * step.log_time,", "2 * step.log_time,", "analytic/kgd_regions"),
+    ("tolerance of a shade of the regimes", REGIME_MAP, "Shade{0.05, 0.16}", "Shade{0.0525, 0.16}", "observe/regime_map"),
+    ("band of the regimes without leak-off", REGIME_MAP, "band(bounds.toughness, ", "band(1.05 * bounds.toughness, ", "observe/regime_map"),
+    ("axis of time of the regimes", REGIME_LAYOUT, "tick(time.pixel(k), ", "tick(time.pixel(1.05 * k), ", "observe/regime_map"),
+    ("axis of toughness of the regimes", REGIME_LAYOUT, "number(lead * std::pow(10.0, k), 3)", "number(1.05 * lead * std::pow(10.0, k), 3)", "observe/regime_map"),
+    ("place of a case without viscosity", REGIME_LAYOUT, "+ 4.0 * toughness.range.high;", "+ 3.8 * toughness.range.high;", "observe/regime_map"),
+    ("room between names on the strip of the regimes", REGIME_MAP, "spread(names, layout.strip.top, layout.strip.bottom());", "for (EndLabel& n : names) n.top = n.end.y;", "observe/regime_map"),
+    ("names of regimes among what names avoid", REGIME_MAP, "    obstruct(obstacles, box);", "", "observe/regime_map"),
+    ("names of regimes that make room for rings", REGIME_MAP, "shift < 4", "shift < 0", "observe/regime_map"),
+    ("rings among what names avoid", REGIME_MAP, "    obstruct(obstacles, {p.at.x - 9.0, p.at.y - 9.0, 18.0, 18.0});", "", "observe/regime_map"),
+    ("names among what names avoid", "observe/chart.hpp", "  obstruct(obstacles, box);", "", "observe/regime_map"),
     ("width of a pressurised crack", CRACK, "4 * net_pressure", "4.2 * net_pressure", "analytic/pressurised_crack"),
     ("volume of a pressurised crack", CRACK, "std::numbers::pi / 2", "std::numbers::pi / 2.1", "analytic/pressurised_crack"),
     ("K_I of a pressurised crack", CRACK, "net_pressure * std::sqrt(", "1.05 * net_pressure * std::sqrt(", "analytic/pressurised_crack"),

@@ -138,7 +138,7 @@ TEST_CASE("on each line of the map a vertex is as far from the general solution 
     const auto lines = lines_in(picture, style.colour);
     REQUIRE(lines.size() == 2);  // 5 % and 1 %
     CAPTURE(style.words);
-    for (const std::size_t k : {0, 1}) {
+    for (const std::size_t k : {0U, 1U}) {
       std::size_t checked = 0;
       for (const drawing::Pixel& corner : lines[k]) {
         const double x = ticks.log_time(corner.x), y = ticks.log_toughness(corner.y);
@@ -213,7 +213,7 @@ TEST_CASE("points far away widen the axes, and what has no place has an arrow at
   CHECK(layout.toughness.range.high == 1.5);
   CHECK(layout.points[0].at.x == near(layout.time.pixel(log_ratio + 4 * 1.5)));
   CHECK(layout.points[2].at.x == near(layout.time.pixel(-6)));
-  for (const std::size_t k : {0, 1, 2}) {
+  for (const std::size_t k : {0U, 1U, 2U}) {
     CHECK(layout.points[k].beyond);
     CHECK(layout.points[k].way.x == 0.0);
     CHECK(layout.points[k].way.y == (k == 2 ? 1.0 : -1.0));
@@ -228,7 +228,9 @@ TEST_CASE("names keep clear of one another, of rings and of the names of the reg
   RegimeMap spread{{at("case A", -INFINITY, 7), at("case B", -INFINITY, 1.1),
                     at("case C", -INFINITY, 0.3), at("case D", -16, 8), at("case E", -15, 0.4),
                     at("case F", 11, 9), at("case G", 9, 0.3), at("case H", -4, 2)}};
-  RegimeMap tight, corners;
+  RegimeMap tight, corners,
+      crowd{{at("case A", -7, 2), at("case B", -5.8, 2.1), at("case C", -5.8, 2.5),
+             at("case D", -6.6, 1.8), at("case E", 14.3, 2.1), at("case F", 12.5, 2)}};
   for (const double K_m : {7.5, 5.0, 3.0, 2.0, 1.5, 1.0, 0.5, 0.2})
     tight.points.push_back(at("case at K_{m} = " + drawing::number(K_m), -INFINITY, K_m));
   for (const double log_time : {-19.0, 14.0})
@@ -238,5 +240,6 @@ TEST_CASE("names keep clear of one another, of rings and of the names of the reg
     if (medium == Medium::phone) continue;  // eight names and four regions fill it
     check_apart(spread, medium);
     check_apart(corners, medium);
+    check_apart(crowd, medium);
   }
 }

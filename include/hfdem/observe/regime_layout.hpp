@@ -22,7 +22,7 @@ struct RegimePoint {
 
 /// Cases among the regions.
 struct RegimeMap {
-  std::vector<RegimePoint> points{};
+  std::vector<RegimePoint> points{};                                     ///< later ones give way
   std::string title = "Propagation regimes of a plane-strain fracture";  ///< above the picture
   std::string caption{};                                                 ///< what to see
   std::string conditions{};                                              ///< with which parameters
