@@ -26,10 +26,10 @@ inline Network flow_network(int domains, double radius, double width) {
   const Specimen array = square_array(columns, 2 * cracks, radius);
   const auto contacts = bonded_contacts<FixedPairs>(array);
   FlowDomains faces = flow_domains(array, contacts);
-  const Index middle = injection_domain(faces, array, {});
+  const Index middle = injection_domains(faces, array, {}).front();
   const Vec2 centre = faces.centre[middle];
   const double diameter = 2 * radius;
-  Network network(std::move(faces), middle, width);
+  Network network(std::move(faces), {middle}, width);
   const auto in_rock = [&](Vec2 p) {
     const double rim = 0.75 * diameter;
     return p.x > rim && p.x < array.width - rim && p.y > rim && p.y < array.height - rim;

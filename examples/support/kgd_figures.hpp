@@ -11,6 +11,7 @@
 #include <hfdem/observe/history.hpp>
 #include <hfdem/observe/specimen_picture.hpp>
 
+#include "support/injected.hpp"
 #include "support/kgd_model.hpp"
 #include "support/paper.hpp"
 #include "support/prediction.hpp"
@@ -26,9 +27,8 @@ std::string described(const KgdConfig<Pressure>& c) {
   return std::to_string(c.specimen.columns) + " × " + std::to_string(c.specimen.rows) +
          " discs of radius " + in_words(c.specimen.radius * 1e3) + " mm under " +
          in_words(p.in_situ.xx / 1e6) + " MPa (x) and " + in_words(p.in_situ.yy / 1e6) +
-         " MPa (y), " + in_words(p.injection.rate * 1e4) + " × 10^{-4} m²/s" +
-         said_fluid<typename KgdConfig<Pressure>::Sim>(p) + " injected, fluid steps " +
-         std::string(words_of(p.scheme).steps) + ".";
+         " MPa (y), " + described(p.injection, said_fluid<typename KgdConfig<Pressure>::Sim>(p)) +
+         ", fluid steps " + std::string(words_of(p.scheme).steps) + ".";
 }
 
 /// The KGD fracture with the E' and K_IC with which the paper computed it, and this run's rate: the

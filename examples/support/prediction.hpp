@@ -10,6 +10,7 @@
 #include <hfdem/analytic/kgd_regime.hpp>
 #include <hfdem/analytic/stepwise_growth.hpp>
 
+#include "support/injected.hpp"
 #include "support/plate_of_lattice.hpp"
 #include "support/run_report.hpp"
 
@@ -32,7 +33,8 @@ std::vector<std::pair<std::string, std::string>> written_values(const Tree& tree
 class Prediction {
  public:
   /// @param preset_contacts broken ones when the injection begins
-  /// @throws InvalidParameter if the specimen is no plate that the solution knows
+  /// @throws InvalidParameter if the specimen is no plate that the solution knows, or the injection
+  ///   not at a constant rate through one point
   template <class Pressure>
   Prediction(const MeasuredToughness& measured, const KgdConfig<Pressure>& config,
              int preset_contacts)
@@ -42,6 +44,7 @@ class Prediction {
         growth_(
             plate_of(config.specimen, config.simulator.boundary, config.simulator.in_situ, rock_),
             rock_, 2 * config.specimen.radius, preset_contacts) {
+    check_predictable(config.simulator.injection);
     find_differences(measured.lattice, config);
   }
 

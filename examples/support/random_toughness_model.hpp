@@ -13,6 +13,7 @@
 #include <hfdem/setup/random_packing.hpp>
 
 #include "support/growth_prediction.hpp"
+#include "support/injected.hpp"
 #include "support/toughness_model.hpp"
 
 namespace hfdem::support {
@@ -75,6 +76,7 @@ struct RandomToughnessConfig : SectionTree<RandomToughnessConfig> {
     validate_all(*this);
     slits.check();
     running.check();
+    check_predictable(injection);
     if (rock.in_situ.xx == 0 && rock.in_situ.yy == 0)
       refuse("in_situ", "xx", "0 Pa, and in_situ.yy too,",
              "greater than 0: equilibrium is judged by the forces that the in-situ stress makes");

@@ -16,6 +16,7 @@
 #include <hfdem/observe/stress_map.hpp>
 
 #include "support/growth_prediction.hpp"
+#include "support/injected.hpp"
 #include "support/paper.hpp"
 #include "support/rock_model.hpp"
 #include "support/schemes.hpp"
@@ -30,8 +31,7 @@ std::string described(const Config& c, long discs) {
          " to " + in_words(c.specimen.radius_max * 1e3) + " mm (seed " +
          std::to_string(c.specimen.seed) + ") under " + in_words(p.in_situ.xx / 1e6) +
          " MPa (x) and " + in_words(p.in_situ.yy / 1e6) + " MPa (y), " +
-         in_words(p.injection.rate * 1e4) + " × 10^{-4} m²/s" +
-         said_fluid<typename Config::Sim>(p) + " injected, fluid steps of " +
+         described(p.injection, said_fluid<typename Config::Sim>(p)) + ", fluid steps of " +
          in_words(p.scheme.fluid_dt * 1e3) + " ms " + std::string(words_of(p.scheme).steps) + ".";
 }
 

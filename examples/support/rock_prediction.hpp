@@ -8,6 +8,7 @@
 #include <hfdem/observe/growth.hpp>
 
 #include "support/growth_prediction.hpp"
+#include "support/injected.hpp"
 #include "support/random_toughness_model.hpp"
 #include "support/rock_model.hpp"
 #include "support/summary.hpp"
@@ -41,11 +42,13 @@ bool same_rock(const MeasuredRock& measured, const Config& config) {
 }
 
 /// Nothing without a measured rock.
-/// @throws InvalidParameter if the specimen is no plate that the solution knows
+/// @throws InvalidParameter if the specimen is no plate that the solution knows, or the injection
+///   not at a constant rate through one point
 template <class Config>
 std::optional<GrowthPrediction> prediction_of(const std::optional<MeasuredRock>& measured,
                                               const Config& config) {
   if (!measured) return {};
+  check_predictable(config.simulator.injection);
   return GrowthPrediction(measured->fracture, plate_injection(config));
 }
 

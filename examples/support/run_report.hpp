@@ -80,6 +80,8 @@ template <class T>
 Said said_field(const T& value, std::string_view unit) {
   if constexpr (is_optional<T>) {
     return value ? said_field(*value, unit) : Said{"not set", ""};
+  } else if constexpr (is_list<T>) {
+    return value.empty() ? Said{"not set", ""} : Said{toml_value(value), std::string(unit)};
   } else if constexpr (std::is_same_v<T, double>) {
     return said(value, unit);
   } else if constexpr (std::is_same_v<T, int>) {
@@ -96,10 +98,7 @@ Said said_field(const T& value, std::string_view unit) {
 /// The value as a parameter file has it; empty if it is not set.
 template <class T>
 std::string exact(const T& value) {
-  if constexpr (is_optional<T>)
-    return value ? toml_value(*value) : "";
-  else
-    return toml_value(value);
+  return is_left_out(value) ? "" : toml_value(value);
 }
 
 /// Calls `f(section, field, value)` for every parameter of a tree.

@@ -17,6 +17,7 @@
 #include <CLI/CLI.hpp>
 
 #include "support/command_line.hpp"
+#include "support/injected.hpp"
 
 namespace hfdem::support {
 
@@ -59,12 +60,12 @@ std::string said_fluid(const typename Sim::Params& p) {
 template <class Sim>
 analytic::KgdFracture reference_kgd(const typename Sim::Params& p, double E_prime, double K_IC,
                                     double time) {
-  if (!flows<Sim> || time <= 0)
-    return analytic::toughness_vertex(E_prime, K_IC, p.injection.rate, time);
+  const double volume = InjectionRate(p.injection).volume(0, time);
+  if (!flows<Sim> || !(volume > 0)) return toughness_vertex(E_prime, K_IC, p.injection, time);
   return analytic::general_kgd({.E_prime = E_prime,
                                 .K_IC = K_IC,
                                 .viscosity = p.fluid.viscosity,
-                                .rate = p.injection.rate,
+                                .rate = volume / time,
                                 .time = time});
 }
 

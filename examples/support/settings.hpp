@@ -19,7 +19,7 @@ namespace hfdem::support {
 /// `section.key = value`, and where it was written.
 struct Setting {
   std::string section, key;
-  std::variant<bool, std::int64_t, double, std::string, Vec2> value;
+  std::variant<bool, std::int64_t, double, std::string, Vec2, std::vector<Vec2>> value;
   std::string text;   ///< the value as written
   std::string where;  ///< for messages, e.g. "line 12 of run.toml"
 };
@@ -35,6 +35,19 @@ namespace detail {
 [[noreturn]] inline void wrong_type(const Setting& s, std::string_view expected) {
   throw InvalidParameter(s.where + ": " + s.section + "." + s.key + " = " + s.text +
                          " is not allowed: it must be " + std::string(expected));
+}
+
+/// What an entry of a list looks like: "[x, y]", or "[time, rate]" by the names of its fields.
+template <class T>
+std::string written_pair() {
+  if constexpr (Described<T>) {
+    std::string text;
+    for_each_field<T>(
+        [&](const auto& field) { text += (text.empty() ? "[" : ", ") + std::string(field.name); });
+    return text + "]";
+  } else {
+    return "[x, y]";
+  }
 }
 
 template <class T>
@@ -61,6 +74,12 @@ void assign(T& target, const Setting& s) {
   } else if constexpr (std::is_same_v<T, Vec2>) {
     if (!std::holds_alternative<Vec2>(s.value)) wrong_type(s, "two numbers, [x, y]");
     target = std::get<Vec2>(s.value);
+  } else if constexpr (is_list<T>) {
+    using Entry = typename T::value_type;
+    const auto* pairs = std::get_if<std::vector<Vec2>>(&s.value);
+    if (pairs == nullptr) wrong_type(s, "a list of pairs, [" + written_pair<Entry>() + ", ...]");
+    target.clear();
+    for (const Vec2 pair : *pairs) target.push_back(Entry{pair.x, pair.y});
   } else {
     std::string names;
     for (std::size_t k = 0; k < names_of<T>.size(); ++k) {
@@ -87,10 +106,21 @@ std::string toml_value(const T& value) {
     return std::to_string(value);
   else if constexpr (std::is_same_v<T, double>)
     return to_text(value);
-  else if constexpr (std::is_same_v<T, Vec2>)
+  else if constexpr (std::is_same_v<T, Vec2> || is_list<T>)
     return to_text(value);
   else
     return '"' + std::string(names_of<T>[static_cast<std::size_t>(value)]) + '"';
+}
+
+/// Whether a parameter has no value of its own, or an empty list.
+template <class T>
+bool is_left_out(const T& value) {
+  if constexpr (is_optional<T>)
+    return !value;
+  else if constexpr (is_list<T>)
+    return value.empty();
+  else
+    return false;
 }
 
 }  // namespace detail
@@ -145,7 +175,7 @@ void validate_all(const Tree& tree) {
   tree.for_each_section([](std::string_view name, const auto& s) { hfdem::validate(s, name); });
 }
 
-/// The whole tree as a parameter file; what is not set is left out.
+/// The whole tree as a parameter file; what is not set is left out, and so are empty lists.
 template <class Tree>
 std::string to_toml(const Tree& tree) {
   std::string text;
@@ -153,8 +183,7 @@ std::string to_toml(const Tree& tree) {
     text += (text.empty() ? "[" : "\n[") + std::string(name) + "]\n";
     for_each_field<std::remove_cvref_t<decltype(section)>>([&](const auto& field) {
       const auto& value = section.*(field.member);
-      if constexpr (is_optional<std::remove_cvref_t<decltype(value)>>)
-        if (!value) return;
+      if (detail::is_left_out(value)) return;
       std::string line = std::string(field.name) + " = " + detail::toml_value(value);
       line.resize(std::max<std::size_t>(line.size() + 1, 32), ' ');
       text += line + "# ";

@@ -1,3 +1,6 @@
+#include <optional>
+#include <vector>
+
 #include <toml++/toml.h>
 
 #include "support/settings.hpp"
@@ -5,6 +8,25 @@
 
 namespace hfdem::support {
 namespace {
+
+std::optional<Vec2> pair_in(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr || list->size() != 2) return {};
+  const auto x = (*list)[0].value<double>(), y = (*list)[1].value<double>();
+  return x && y ? std::optional(Vec2{*x, *y}) : std::nullopt;
+}
+
+std::optional<std::vector<Vec2>> pairs_in(const toml::node& node) {
+  const toml::array* list = node.as_array();
+  if (list == nullptr) return {};
+  std::vector<Vec2> pairs;
+  for (const toml::node& entry : *list) {
+    const auto pair = pair_in(entry);
+    if (!pair) return {};
+    pairs.push_back(*pair);
+  }
+  return pairs;
+}
 
 Setting setting(std::string section, std::string key, const toml::node& node, std::string where) {
   Setting s{std::move(section), std::move(key), false, written(node), std::move(where)};
@@ -16,12 +38,14 @@ Setting setting(std::string section, std::string key, const toml::node& node, st
     s.value = real->get();
   } else if (const auto* text = node.as_string()) {
     s.value = text->get();
-  } else if (const auto* pair = node.as_array(); pair && pair->size() == 2) {
-    const auto x = (*pair)[0].value<double>(), y = (*pair)[1].value<double>();
-    if (!x || !y) detail::wrong_type(s, "two numbers, [x, y]");
-    s.value = Vec2{*x, *y};
+  } else if (const auto pair = pair_in(node)) {
+    s.value = *pair;
+  } else if (const auto pairs = pairs_in(node)) {
+    s.value = *pairs;
   } else {
-    detail::wrong_type(s, "a number, true or false, a word in quotes, or [x, y]");
+    detail::wrong_type(s,
+                       "a number, true or false, a word in quotes, [x, y], or a list of these "
+                       "pairs, [[x, y], ...]");
   }
   return s;
 }

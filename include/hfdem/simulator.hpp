@@ -2,6 +2,7 @@
 /// The simulator: four policies, composed at compile time, over one assembly of discs.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
@@ -16,12 +17,13 @@
 #include <hfdem/simulator_observers.hpp>
 #include <hfdem/simulator_params.hpp>
 #include <hfdem/state/concepts.hpp>
+#include <hfdem/state/injection.hpp>
 
 namespace hfdem {
 
 /// Bonded discs with a fluid network.
 ///
-/// The constructor bonds the specimen, cuts the preset crack and lets the in-situ stress settle;
+/// The constructor bonds the specimen, cuts the preset cracks and lets the in-situ stress settle;
 /// from then on `step` makes one fluid step, with as many mechanical steps as the pressure scheme
 /// wants. The simulator does no input or output and has no globals; several may live side by side.
 /// The bits of every result depend only on the parameters, never on the number of threads.
@@ -67,9 +69,11 @@ class Simulator {
   template <class... Observers>
   FluidStep step(Observers&&... observers) {
     const double dt = pressure_.fluid_dt(assembly_.dt());
-    const double injected = rate_ * dt;
+    const double injected = rate_.volume(time_, dt);
     time_ += dt;
+    const double before = injected_;
     injected_ += injected;
+    rounded_off_ += injected - (injected_ - before);
     ++fluid_steps_;
     if (mechanical_steps_ >= mean_contact_force_until_) {
       mean_contact_force_ = mean_contact_force();
@@ -126,11 +130,12 @@ class Simulator {
                      " mechanical steps (mechanics.max_settle_steps) while settling");
   }
 
-  /// Changes the injection rate, m2/s, from the next step on; zero shuts the well in.
+  /// Changes the injection rate, m2/s, from the next step on; zero shuts the well in. What is left
+  /// of `injection.schedule` no longer counts.
   /// @throws InvalidParameter if the rate is negative or not finite
   void inject(double rate) {
     detail::check_range("injection", "rate", "m2/s", non_negative, rate);
-    rate_ = rate;
+    rate_.hold(rate);
   }
   /// Number of threads for the loops; the results do not depend on it.
   void use_threads(int threads) { threads_ = threads; }
@@ -164,9 +169,9 @@ class Simulator {
   double injected_volume() const { return injected_; }                ///< V_f, m2
   /// Where the fluid is; only with a scheme that keeps account of it.
   VolumeBalance volume_balance() const requires BalancesVolume<Pressure> {
-    return pressure_.balance(network_, injected_);
+    return pressure_.balance(network_, injected_ + rounded_off_);
   }
-  /// Pressure of the domain that receives the fluid, Pa.
+  /// Pressure of the domain that receives the fluid, Pa; with several, of the first.
   double injection_pressure() const { return network_.pressure(network_.injection_domain()); }
   /// Direction of the preset crack.
   Vec2 crack_direction() const { return hfdem::crack_direction(params_.in_situ); }
@@ -200,8 +205,9 @@ class Simulator {
 
   /// Everything that evolves; the number of threads is no part of it.
   void exchange(auto& archive) {
-    archive(assembly_, pressure_, network_, breaks_, time_, injected_, rate_, mean_contact_force_,
-            mechanical_steps_, settling_steps_, fluid_steps_, mean_contact_force_until_);
+    archive(assembly_, pressure_, network_, breaks_, time_, injected_, rounded_off_, rate_,
+            mean_contact_force_, mechanical_steps_, settling_steps_, fluid_steps_,
+            mean_contact_force_until_);
   }
 
  private:
@@ -234,20 +240,20 @@ class Simulator {
 
   void make_network() {
     FlowDomains domains = flow_domains(specimen(), assembly_.geometry(), params_.channels.length);
-    const Index injection = injection_domain(domains, specimen(), params_.injection.position);
-    const Vec2 centre = domains.centre[injection];
-    network_ = Network(std::move(domains), injection, aperture_.rest_width());
+    std::vector<Index> points = injection_domains(domains, specimen(), params_.injection);
+    network_ = Network(std::move(domains), std::move(points), aperture_.rest_width());
     for (Index k = 0; k < joints().bonded(); ++k)
       network_.set_rest_width(assembly_.number_of(k), joints().contacts().law().rest_width());
-    preset_ =
-        preset_crack(params_.crack, specimen(), assembly_.geometry(), centre, crack_direction());
+    for (const Index point : network_.injection_domains())
+      for (const Index c : preset_crack(params_.crack, specimen(), assembly_.geometry(),
+                                        network_.geometry().centre[point], crack_direction()))
+        if (std::find(preset_.begin(), preset_.end(), c) == preset_.end()) preset_.push_back(c);
     detail::keep_joints_away(assembly_, network_, preset_);
     for (const Index c : preset_) {
       assembly_.break_bond(c);
       network_.open(c);
     }
-    if (Pressure::holds_fluid && network_.wet_channels().empty())
-      detail::refuse_short_crack(params_.crack);
+    if (Pressure::holds_fluid) detail::refuse_short_crack(network_, params_.crack);
     if (Pressure::holds_fluid) detail::stop_at_rim(network_, time_);
   }
 
@@ -326,7 +332,8 @@ class Simulator {
   Network network_;
   std::vector<Index> preset_;
   std::vector<BondBreak> breaks_;
-  double time_ = 0, injected_ = 0, rate_ = params_.injection.rate, mean_contact_force_ = 0;
+  double time_ = 0, injected_ = 0, rounded_off_ = 0, mean_contact_force_ = 0;
+  InjectionRate rate_{params_.injection};
   long mechanical_steps_ = 0, settling_steps_ = 0, fluid_steps_ = 0;
   /// The mean contact force changes slowly, and takes as long to sum as a mechanical step.
   static constexpr long mean_contact_force_lifetime = 100;

@@ -2,6 +2,7 @@
 /// What a simulator refuses when it is made, and what ends its run.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -14,15 +15,22 @@
 
 namespace hfdem::detail {
 
-/// A crack that cuts no contact: the fluid has nowhere to go.
-[[noreturn]] inline void refuse_short_crack(const PresetCrack& crack) {
+/// A crack that cuts no contact at an injection point: the fluid has nowhere to go.
+inline void refuse_short_crack(const Network& network, const PresetCrack& crack) {
+  const auto has_crack = [&](Index domain) {
+    const auto channels = network.channels_of(domain);
+    return std::any_of(channels.begin(), channels.end(),
+                       [&](Index c) { return network.is_wet(c); });
+  };
+  const auto domains = network.injection_domains();
+  if (std::all_of(domains.begin(), domains.end(), has_crack)) return;
   if (crack.length)
     refuse("crack", "length", to_text(*crack.length) + " m",
            "long enough to cut a contact: the fluid needs a crack to enter");
   refuse("crack", "contacts", "0", "at least 1: the fluid needs a crack to enter");
 }
 
-/// The preset crack and the domain that receives the fluid are to be in rock.
+/// The preset cracks and the domains that receive the fluid are to be in rock.
 template <class Assembly>
 void keep_joints_away(const Assembly& assembly, const Network& network,
                       std::span<const Index> preset) {
@@ -31,8 +39,8 @@ void keep_joints_away(const Assembly& assembly, const Network& network,
       assembly.joints().refuse(contact - assembly.contacts().size(), allowed);
   };
   for (const Index c : preset) check(c, "away from the preset crack");
-  for (const Index c : network.channels_of(network.injection_domain()))
-    check(c, "away from the injection");
+  for (const Index d : network.injection_domains())
+    for (const Index c : network.channels_of(d)) check(c, "away from the injection");
 }
 
 /// The network has no outside that fluid could flow to.

@@ -11,7 +11,7 @@
 #include <hfdem/setup/flow_domains.hpp>
 #include <hfdem/setup/preset_crack.hpp>
 #include <hfdem/state/concepts.hpp>
-#include <hfdem/state/fluid.hpp>
+#include <hfdem/state/injection.hpp>
 #include <hfdem/state/specimen.hpp>
 
 namespace hfdem {
@@ -60,7 +60,7 @@ struct SimulatorParams {
   Loading::Params boundary{};                     ///< what holds the specimen
   Stress in_situ{};                            ///< before injection, and on the boundary during it
   PresetCrack crack{};                         ///< where the fluid enters
-  Injection injection{};                       ///< how much of it, and where
+  Injection injection{};                       ///< how much of it, when and where
   typename FluidOf<Pressure>::Params fluid{};  ///< its properties
   Mechanics mechanics{};                       ///< mechanical steps
   typename Pressure::Params scheme{};          ///< of the pressure scheme
@@ -83,10 +83,11 @@ struct SimulatorParams {
                    Section{"scheme", &P::scheme}});
   }
 
-  /// Checks every section.
+  /// Checks every section, and the order of the injection's schedule.
   /// @throws InvalidParameter naming the field, its value and the allowed range
   void validate() const {
     for_each_section(*this, [](std::string_view name, const auto& s) { hfdem::validate(s, name); });
+    injection.check();
   }
 };
 

@@ -10,7 +10,7 @@
 #include <hfdem/base/archive.hpp>
 #include <hfdem/base/pack.hpp>
 #include <hfdem/state/contact.hpp>
-#include <hfdem/state/fluid.hpp>
+#include <hfdem/state/injection.hpp>
 
 #include <doctest/doctest.h>
 

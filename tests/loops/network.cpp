@@ -35,7 +35,7 @@ struct Square {
   explicit Square(Index column, Index row) {
     const auto specimen = hfdem::square_array(columns, rows, R);
     contacts = hfdem::bonded_contacts<hfdem::FixedPairs>(specimen);
-    network = hfdem::Network(hfdem::flow_domains(specimen, contacts), domain(column, row), w0);
+    network = hfdem::Network(hfdem::flow_domains(specimen, contacts), {domain(column, row)}, w0);
   }
 
   static Index domain(Index column, Index row) { return row * (columns - 1) + column; }

@@ -50,7 +50,7 @@ struct MockCrack {
     const auto specimen = hfdem::square_array(6, 6, length / 2);
     const auto contacts = hfdem::bonded_contacts<hfdem::FixedPairs>(specimen);
     constexpr hfdem::Index middle = 12;  // of 5 x 5 domains
-    hfdem::Network network(hfdem::flow_domains(specimen, contacts), middle, w0);
+    hfdem::Network network(hfdem::flow_domains(specimen, contacts), {middle}, w0);
     network.open(contact_in_row(2));
     network.open(contact_in_row(3));
     return network;

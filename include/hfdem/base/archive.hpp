@@ -33,10 +33,6 @@ static_assert(std::endian::native == std::endian::little,
 namespace detail {
 
 template <class>
-inline constexpr bool is_vector = false;
-template <class T>
-inline constexpr bool is_vector<std::vector<T>> = true;
-template <class>
 inline constexpr bool is_span = false;
 template <class T>
 inline constexpr bool is_span<std::span<T>> = true;
@@ -76,7 +72,7 @@ class Archive {
     } else if constexpr (detail::is_span<T>) {
       archive.expect(value.size());
       block(value.data(), value.size());
-    } else if constexpr (detail::is_vector<T> || std::is_same_v<T, std::string>) {
+    } else if constexpr (is_list<T> || std::is_same_v<T, std::string>) {
       list(value);
     } else if constexpr (is_optional<T>) {
       bool has_value = value.has_value();

@@ -6,12 +6,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include <hfdem/base/errors.hpp>
 #include <hfdem/base/vec2.hpp>
@@ -40,7 +42,7 @@ struct Field {
   std::string_view name;     ///< its key in a parameter file
   T Params::*member;         ///< where its value is kept
   std::string_view unit;     ///< SI or deg; empty for a pure number
-  Range range;               ///< of a number, or of each component of a vector
+  Range range;               ///< of a number, or of each component of a vector, also in a list
   std::string_view meaning;  ///< for people: a phrase without a full stop
 };
 /// Clang before 17 deduces no template arguments of aggregates without being told how.
@@ -74,6 +76,13 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
+/// Whether a parameter of this type is a list: of vectors, or of what describes itself.
+template <class>
+inline constexpr bool is_list = false;
+/// True for `std::vector`.
+template <class T>
+inline constexpr bool is_list<std::vector<T>> = true;
+
 /// Calls `f(field)` for every field of a table.
 template <Described P, class F>
 void for_each_field(F&& f) {
@@ -96,6 +105,28 @@ inline std::string to_text(double v) {
 /// A vector as a parameter file has it: "[0.5, 0.25]".
 inline std::string to_text(Vec2 v) {
   return std::string("[").append(to_text(v.x)).append(", ").append(to_text(v.y)).append("]");
+}
+
+/// Described values as a list has them: "[0.3, 0.0001]".
+template <Described P>
+std::string to_text(const P& params) {
+  std::string text;
+  for_each_field<P>(
+      [&](const auto& f) { text += (text.empty() ? "[" : ", ") + to_text(params.*(f.member)); });
+  return text + "]";
+}
+
+/// A list as a parameter file has it: "[[0.3, 0.0001], [0.6, 0]]".
+template <class T>
+std::string to_text(const std::vector<T>& list) {
+  std::string text = "[";
+  for (const T& entry : list) text += (text.size() == 1 ? "" : ", ") + to_text(entry);
+  return text + "]";
+}
+
+/// An entry of a list in a message, counted from one: "schedule, entry 2".
+inline std::string entry_of(std::string_view list, std::size_t k) {
+  return std::string(list) + ", entry " + std::to_string(k + 1);
 }
 
 /// A measured number in a message: six digits.
@@ -135,6 +166,14 @@ void check_range(std::string_view section, std::string_view name, std::string_vi
                  const Range& range, const T& value) {
   if constexpr (is_optional<T>) {
     if (value) check_range(section, name, unit, range, *value);
+  } else if constexpr (is_list<T>) {
+    for (std::size_t k = 0; k < value.size(); ++k)
+      check_range(section, entry_of(name, k), unit, range, value[k]);
+  } else if constexpr (Described<T>) {
+    for_each_field<T>([&](const auto& f) {
+      check_range(section, std::string(name) + ", " + std::string(f.name), f.unit, f.range,
+                  value.*(f.member));
+    });
   } else if constexpr (std::is_same_v<T, Vec2>) {
     check_range(section, name, unit, range, value.x);
     check_range(section, name, unit, range, value.y);

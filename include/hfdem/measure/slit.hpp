@@ -168,6 +168,7 @@ class Slit {
   static typename Sim::Params with_slit(typename Sim::Params params, const PresetCrack& slit) {
     params.crack = slit;
     params.injection.position = {};
+    params.injection.further_points = {};
     return params;
   }
 

@@ -78,7 +78,7 @@ class ConventionalFlow {
     const double wanted = std::ceil(injected.dt / longest_flow_step());
     const auto flow_steps = static_cast<long>(max(1.0, wanted));
     for (long k = 0; k < flow_steps; ++k)
-      flow(injected.dt / static_cast<double>(flow_steps),
+      flow(network, injected.dt / static_cast<double>(flow_steps),
            injected.step / static_cast<double>(flow_steps));
     publish(network);
     const Relaxed relaxed = relax();
@@ -150,7 +150,7 @@ class ConventionalFlow {
     }
   }
 
-  void flow(double dt, double injected) {
+  void flow(const Network& network, double dt, double injected) {
     const auto channels = fluid_.channels();
     const auto stored = fluid_.stored();
     for (std::size_t k = 0; k < channels.size(); ++k) {
@@ -159,7 +159,7 @@ class ConventionalFlow {
       stored[first] -= volume;
       stored[second] += volume;
     }
-    fluid_.inject(injected);
+    fluid_.inject(injected, network.injection_domains().size());
     find_pressures();
   }
 

@@ -90,7 +90,7 @@ class ImplicitFlow {
   FluidStep advance(Network& network, const Injected& injected, Relax&& relax) {
     fluid_.join(network);
     fluid_.find_room(network);
-    fluid_.inject(injected.step);
+    fluid_.inject(injected.step, network.injection_domains().size());
     FluidStep step;
     do {
       find_flow(network);

@@ -61,8 +61,11 @@ class StoredFluid {
     }
   }
 
-  /// Shares out what is injected in a step, m2, among the domains that receive it.
-  void inject(double volume) { stored_.front() += volume; }
+  /// Shares out what is injected, m2, among the domains that receive it, which were wet first.
+  /// @param points how many these are
+  void inject(double volume, std::size_t points) {
+    for (std::size_t d = 0; d < points; ++d) stored_[d] += volume / static_cast<double>(points);
+  }
 
   std::span<const WetChannel> channels() const { return channels_; }  ///< that are wet
   std::size_t size() const { return stored_.size(); }                 ///< number of wet domains

@@ -15,6 +15,7 @@
 
 #include <hfdem/base/fields.hpp>
 #include <hfdem/state/contact.hpp>
+#include <hfdem/state/injection.hpp>
 #include <hfdem/state/network.hpp>
 #include <hfdem/state/specimen.hpp>
 
@@ -164,17 +165,14 @@ inline FlowDomains flow_domains(const Specimen& specimen, std::span<const Contac
   return result;
 }
 
-/// The domain that receives the fluid: the one whose centre is nearest.
-/// @param domains of the specimen
-/// @param specimen whose box the position must be in
-/// @param position m; the middle of the specimen if not given
-/// @throws InvalidParameter if the position is not inside the specimen
-inline Index injection_domain(const FlowDomains& domains, const Specimen& specimen,
-                              const std::optional<Vec2>& position) {
-  const Vec2 at = position.value_or(Vec2{specimen.width / 2, specimen.height / 2});
+namespace detail {
+
+/// The domain whose centre is nearest to an injection point.
+inline Index nearest_domain(const FlowDomains& domains, const Specimen& specimen,
+                            std::string_view field, Vec2 at) {
   const bool inside = at.x > 0 && at.x < specimen.width && at.y > 0 && at.y < specimen.height;
   if (!inside || domains.centre.empty())
-    refuse("injection", "position", to_text(at) + " m",
+    refuse("injection", field, to_text(at) + " m",
            "inside the specimen, which is " + to_text(specimen.width) + " m by " +
                to_text(specimen.height) + " m and has " + std::to_string(domains.centre.size()) +
                " flow domains");
@@ -182,6 +180,30 @@ inline Index injection_domain(const FlowDomains& domains, const Specimen& specim
   for (Index d = 1; d < domains.centre.size(); ++d)
     if (norm(domains.centre[d] - at) < norm(domains.centre[nearest] - at)) nearest = d;
   return nearest;
+}
+
+}  // namespace detail
+
+/// The domains that receive the fluid: those whose centres are nearest to the injection points.
+/// @param domains of the specimen
+/// @param specimen whose box the points must be in
+/// @param injection its points; the middle of the specimen if no position is given
+/// @throws InvalidParameter if a point is not inside the specimen, or in the same domain as another
+inline std::vector<Index> injection_domains(const FlowDomains& domains, const Specimen& specimen,
+                                            const Injection& injection) {
+  const Vec2 middle{specimen.width / 2, specimen.height / 2};
+  std::vector<Index> all{
+      detail::nearest_domain(domains, specimen, "position", injection.position.value_or(middle))};
+  for (std::size_t k = 0; k < injection.further_points.size(); ++k) {
+    const std::string entry = entry_of("further_points", k);
+    const Vec2 at = injection.further_points[k];
+    const Index domain = detail::nearest_domain(domains, specimen, entry, at);
+    if (std::find(all.begin(), all.end(), domain) != all.end())
+      refuse("injection", entry, to_text(at) + " m",
+             "in another flow domain than injection.position and the entries before");
+    all.push_back(domain);
+  }
+  return all;
 }
 
 }  // namespace hfdem

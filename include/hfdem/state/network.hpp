@@ -43,17 +43,17 @@ struct FlowDomains {
 /// Pressures and widths on the network, and the spreading of fluid through broken contacts.
 ///
 /// A contact whose bond is intact is closed. A broken one is *open*; it is *wet* once it connects,
-/// through wet channels, to the injection. Open channels that do not connect wait. A domain beside
-/// a wet channel is wet, the end domains of a crack included.
+/// through wet channels, to an injection point. Open channels that do not connect wait. A domain
+/// beside a wet channel is wet, the end domains of a crack included.
 class Network {
  public:
   Network() = default;
   /// @param geometry domains, channels and corners; kept
-  /// @param injection_domain wet from the beginning
+  /// @param injection_domains wet from the beginning; one at least, and none twice
   /// @param rest_width width of a channel at zero contact force, w0, m
-  Network(FlowDomains geometry, Index injection_domain, double rest_width)
+  Network(FlowDomains geometry, std::vector<Index> injection_domains, double rest_width)
       : geometry_(std::move(geometry)),
-        injection_domain_(injection_domain),
+        injection_domains_(std::move(injection_domains)),
         rest_width_(geometry_.channels.size(), rest_width),
         filled_width_(rest_width_),
         width_(geometry_.channels.size(), 0),
@@ -62,14 +62,16 @@ class Network {
         wet_channel_(geometry_.channels.size(), false),
         wet_domain_(geometry_.centre.size(), false),
         pushed_disc_(geometry_.corners_begin.size() - 1, false) {
-    wet(injection_domain_);
+    for (const Index d : injection_domains_) wet(d);
   }
 
-  const FlowDomains& geometry() const { return geometry_; }     ///< that of the bonded specimen
-  Index injection_domain() const { return injection_domain_; }  ///< that receives the fluid
+  const FlowDomains& geometry() const { return geometry_; }  ///< that of the bonded specimen
+  /// That receive the fluid, one for each injection point.
+  std::span<const Index> injection_domains() const { return injection_domains_; }
+  Index injection_domain() const { return injection_domains_.front(); }  ///< of the first point
   /// Channels that hold fluid, in the order in which they got it.
   std::span<const Index> wet_channels() const { return wet_channels_; }
-  /// Domains that hold fluid, the injection domain first, in the order in which they got it.
+  /// Domains that hold fluid, the injection domains first, in the order in which they got it.
   std::span<const Index> wet_domains() const { return wet_domains_; }
   /// Discs that touch a wet domain.
   std::span<const Index> pushed_discs() const { return pushed_discs_; }
@@ -215,7 +217,7 @@ class Network {
   }
 
   FlowDomains geometry_;
-  Index injection_domain_ = nothing;
+  std::vector<Index> injection_domains_;
   std::vector<double> rest_width_, filled_width_, width_, pressure_;
   std::vector<bool> open_, wet_channel_, wet_domain_, pushed_disc_;
   std::vector<Index> wet_channels_, wet_domains_, pushed_discs_;

@@ -14,9 +14,9 @@ struct Relaxed {
 
 /// Injection so far and in the present fluid step, m2 (per m of thickness).
 struct Injected {
-  double total;  ///< up to the end of this step: V_f
-  double step;   ///< in this step
-  double dt;     ///< length of this step, s
+  double total;   ///< up to the end of this step: V_f
+  double step;    ///< in this step
+  double dt = 0;  ///< length of this step, s
 };
 
 /// How the rock answers, roughly: what a scheme that guesses ahead starts from.
