@@ -50,13 +50,13 @@ namespace {
 using AllParams =
     std::tuple<LinearParallelBond::Params, HyperbolicAperture::Params, Dry::Params,
                HeldPressure::Params, UniformPressure::Params, Loading::Params, Mechanics, Stress,
-               FlowChannels, PresetCrack, Injection, NewtonianFluid::Params, SquareArray,
-               RandomPacking, measure::SlitSeries, measure::CircleGrid, measure::LoadFrame,
-               BrazilianDisc, ScatteredParallelBond::Params, analytic::KgdProblem,
-               analytic::LatticeFracture, analytic::OrthotropicPlane, analytic::ToughnessLaw,
-               analytic::RockFracture, measure::HeldSlits, measure::RunningRange, RandomFractures,
-               SmoothJoint::Params, NoJoint::Params, ConventionalFlow<>::Params,
-               ImplicitFlow<>::Params>;
+               FlowChannels, PresetCrack, Injection, RateChange, NewtonianFluid::Params,
+               SquareArray, RandomPacking, measure::SlitSeries, measure::CircleGrid,
+               measure::LoadFrame, BrazilianDisc, ScatteredParallelBond::Params,
+               analytic::KgdProblem, analytic::LatticeFracture, analytic::OrthotropicPlane,
+               analytic::ToughnessLaw, analytic::RockFracture, measure::HeldSlits,
+               measure::RunningRange, RandomFractures, SmoothJoint::Params, NoJoint::Params,
+               ConventionalFlow<>::Params, ImplicitFlow<>::Params>;
 
 /// Parameters in range: the defaults, but for descriptions of a rock, which have none.
 template <class P>
@@ -105,8 +105,9 @@ TEST_CASE("members of every type that a parameter may have are counted") {
     std::optional<Vec2> given_position;
     std::string text;
     std::vector<double> list;
+    std::vector<RateChange> changes;
   };
-  CHECK(member_count<Sample>() == 10);
+  CHECK(member_count<Sample>() == 11);
 }
 
 template <auto table>
@@ -203,11 +204,13 @@ struct Edges {
   }
 };
 
-/// Calls `f` with a reference to each number in a member.
+/// Calls `f` with a reference to each number in a member that the range of its field is for.
 template <class T, class F>
 void for_each_number(T& member, F&& f) {
   if constexpr (is_optional<T>) {
     for_each_number(member.emplace(), f);
+  } else if constexpr (is_list<T>) {
+    for_each_number(member.emplace_back(), f);
   } else if constexpr (std::is_same_v<T, Vec2>) {
     f(member.x);
     f(member.y);
@@ -265,8 +268,10 @@ void check_refusal(const std::string& message, const std::string& field, double 
 template <class P, class F>
 void check_ranges(P& params, const std::string& section, F&& validate) {
   for_each_field<P>([&](const auto& field) {
-    const std::string name = section + "." + std::string(field.name);
     auto& member = params.*(field.member);
+    const bool list = is_list<std::remove_reference_t<decltype(member)>>;
+    const std::string name =
+        section + "." + (list ? entry_of(field.name, 0) : std::string(field.name));
     const auto usual_member = member;
     for_each_number(member, [&](auto& number) {
       const auto usual = number;
@@ -309,6 +314,9 @@ TEST_CASE("a refusal reads like this") {
         "contact.E = -1.7e+10 Pa is not allowed: it must be greater than 0 Pa");
   CHECK(message_of(Injection{.position = Vec2{0.5, std::nan("")}}, "injection") ==
         "injection.position = nan m is not allowed: it must be any finite number");
+  CHECK(message_of(Injection{.schedule = {{0.3, 1e-4}, {0.6, -1e-4}}}, "injection") ==
+        "injection.schedule, entry 2, rate = -1e-04 m2/s is not allowed: it must be at least 0 "
+        "m2/s");
   CHECK(refusal([] { square_array(20, 1, 5_mm); }) ==
         "specimen.rows = 1 is not allowed: it must be at least 2 and at most 10000");
 }

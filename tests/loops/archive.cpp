@@ -57,7 +57,10 @@ Everything example() {
           .flags = {true, false, true},
           .texts = {"one", "", "three"},
           .rows = {hfdem::Pack{1, 2, 3, 4}, hfdem::Pack{5, 6, 7, 8}},
-          .described = {.rate = 3e-4, .position = hfdem::Vec2{0.1, 0.2}}};
+          .described = {.rate = 3e-4,
+                        .position = hfdem::Vec2{0.1, 0.2},
+                        .schedule = {{0.3, 1e-4}, {0.6, 0}},
+                        .further_points = {{0.3, 0.4}}}};
 }
 
 struct Rows {
@@ -114,6 +117,10 @@ TEST_CASE("every kind of value comes back to the last bit") {
     CHECK(test::bits(back.rows[1][lane]) == test::bits(static_cast<double>(5 + lane)));
   CHECK(back.described.rate == 3e-4);
   CHECK(back.described.position == whole.described.position);
+  REQUIRE(back.described.schedule.size() == 2);
+  CHECK(back.described.schedule[0].rate == 1e-4);
+  CHECK(back.described.schedule[1].time == 0.6);
+  CHECK(back.described.further_points == whole.described.further_points);
 }
 
 TEST_CASE("the checksum is the one of the literature") {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <hfdem/base/errors.hpp>
 #include <hfdem/base/fields.hpp>
@@ -22,12 +23,25 @@ using test::near;
 
 namespace {
 
+/// An entry of a list.
+struct Bake {
+  double start = 0, heat = 300;
+
+  static constexpr auto fields() {
+    using hfdem::Field;
+    return std::tuple{Field{"start", &Bake::start, "s", hfdem::non_negative, "when"},
+                      Field{"heat", &Bake::heat, "K", Range{273}, "how hot"}};
+  }
+};
+
 struct Oven {
   double temperature = 450;
   int shelves = 2;
   bool fan = false;
   std::optional<double> timer{};
   hfdem::Vec2 position{};
+  std::vector<hfdem::Vec2> vents{};
+  std::vector<Bake> plan{};
 
   static constexpr auto fields() {
     using hfdem::Field;
@@ -36,7 +50,9 @@ struct Oven {
         Field{"shelves", &Oven::shelves, "", Range{1}, "number of shelves"},
         Field{"fan", &Oven::fan, "", hfdem::any_number, "whether the fan turns"},
         Field{"timer", &Oven::timer, "s", hfdem::positive, "time to run"},
-        Field{"position", &Oven::position, "m", hfdem::non_negative, "in the kitchen"}};
+        Field{"position", &Oven::position, "m", hfdem::non_negative, "in the kitchen"},
+        Field{"vents", &Oven::vents, "m", hfdem::non_negative, "in its wall"},
+        Field{"plan", &Oven::plan, "", hfdem::any_number, "of the day"}};
   }
 };
 
@@ -86,6 +102,19 @@ TEST_CASE("values outside their range are refused by name, with the value and wh
   CHECK(refusal({.timer = 0}) == "oven.timer = 0 s is not allowed: it must be greater than 0 s");
   CHECK(refusal({.position = {1, -2}}) ==
         "oven.position = -2 m is not allowed: it must be at least 0 m");
+}
+
+TEST_CASE("lists are refused by the entry that is out of range, and written as lists") {
+  CHECK(refusal({.vents = {{1, 2}, {3, 4}}, .plan = {{0, 500}, {60, 300}}}) == "accepted");
+  CHECK(refusal({.vents = {{1, 2}, {3, -4}}}) ==
+        "oven.vents, entry 2 = -4 m is not allowed: it must be at least 0 m");
+  CHECK(refusal({.plan = {{-1, 500}}}) ==
+        "oven.plan, entry 1, start = -1 s is not allowed: it must be at least 0 s");
+  CHECK(refusal({.plan = {{0, 500}, {60, 200}}}) ==
+        "oven.plan, entry 2, heat = 200 K is not allowed: it must be at least 273 K");
+  CHECK(to_text(std::vector<hfdem::Vec2>{{1, 0.5}, {3, 4}}) == "[[1, 0.5], [3, 4]]");
+  CHECK(to_text(std::vector<Bake>{{0, 500}}) == "[[0, 500]]");
+  CHECK(to_text(std::vector<Bake>{}) == "[]");
 }
 
 TEST_CASE("what is not a finite number is refused everywhere") {

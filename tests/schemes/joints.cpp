@@ -337,6 +337,16 @@ TEST_CASE("a fracture through the preset crack or the injection is refused by it
   CHECK(refusal(through, {}) ==
         "specimen.joints = fracture 0 from [0.03, 0.08] to [0.0755, 0.08] m is not allowed: it "
         "must be away from the injection");
+  // The same of a further point.
+  const auto at = [](hfdem::Vec2 point, hfdem::PresetCrack crack) {
+    return refusal(test::fractured_square(),
+                   {.crack = crack, .injection = {.further_points = {point}}});
+  };
+  CHECK(at({0.06, 0.10}, {.contacts = 2}) == "accepted");
+  const std::string crossing =
+      "specimen.joints = fracture 0 from [0.03, 0.12] to [0.13, 0.12] m is not allowed: it must be "
+      "away from the ";
+  CHECK(at({0.06, 0.12}, {.contacts = 1}) == crossing + "injection");
 }
 
 TEST_CASE("parameters of joints outside their range are refused under joints") {

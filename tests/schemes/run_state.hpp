@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <hfdem/contact/jointed.hpp>
+#include <hfdem/mechanics/joint_contacts.hpp>
 
 #include "laws/near.hpp"
 

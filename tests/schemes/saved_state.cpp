@@ -124,6 +124,18 @@ TEST_CASE("what was changed during the run stays changed") {
       [](Rock<hfdem::HeldPressure>& sim) { sim.pressure_scheme().hold(13e6); });
 }
 
+TEST_CASE("a schedule goes on where it was, and stays forgotten once the host has steered") {
+  // The run is saved after 1.2 ms, its two pieces end at 1.8 and 2.4 ms.
+  const Injected::Params params{
+      .injection = {.rate = 1e-4,
+                    .position = hfdem::Vec2{10 * test::radius, 16 * test::radius},
+                    .schedule = {{0.55e-3, 9e-4}, {1.55e-3, 2e-4}, {2.05e-3, 0}},
+                    .further_points = {{22 * test::radius, 16 * test::radius}}}};
+  const auto rise = [](Injected& sim) { CHECK(sim.injected_volume() > 1.1 * 1.2e-3 * 1e-4); };
+  CHECK(check_taken_up<Injected>(params, 12, 6, 2, rise) > 0);
+  check_taken_up<Injected>(params, 12, 6, 1, [](Injected& sim) { sim.inject(3e-4); });
+}
+
 TEST_CASE("runs without fluid, and with a scheme of one's own") {
   check_taken_up<Rock<hfdem::Dry>>({}, 20, 20, 1, [](Rock<hfdem::Dry>& sim) {
     sim.set_in_situ({9e6, 13e6});

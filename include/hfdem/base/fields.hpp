@@ -107,7 +107,7 @@ inline std::string to_text(Vec2 v) {
   return std::string("[").append(to_text(v.x)).append(", ").append(to_text(v.y)).append("]");
 }
 
-/// Described values as a list has them: "[0.3, 0.0001]".
+/// Described values as a list has them: "[0.3, 1e-04]".
 template <Described P>
 std::string to_text(const P& params) {
   std::string text;
@@ -116,7 +116,7 @@ std::string to_text(const P& params) {
   return text + "]";
 }
 
-/// A list as a parameter file has it: "[[0.3, 0.0001], [0.6, 0]]".
+/// A list as a parameter file has it: "[[0.3, 1e-04], [0.6, 0]]".
 template <class T>
 std::string to_text(const std::vector<T>& list) {
   std::string text = "[";
