@@ -17,6 +17,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOND = "contact/linear_parallel_bond.hpp"
 KGD, PROFILE, TIP, GENERAL, REGIME, REGIONS = (f"analytic/kgd{s}.hpp" for s in ("", "_profile", "_tip", "_general", "_regime", "_regions"))
+INJECTION = "state/injection.hpp"
 LEDGER = "measure/energy_ledger.hpp"
 JOINT = "contact/smooth_joint.hpp"
 CRACK = "analytic/pressurised_crack.hpp"
@@ -47,7 +48,23 @@ MUTATIONS = [
     ("volume of the crack", "state/network.hpp", "width_[c] - filled_width_[c]; });", "width_[c]; });", "loops/network"),
     ("volume of a domain", "state/network.hpp", "* width_[c] / 2;", "* width_[c] / 1.9;", "loops/network"),
     ("gain of the pressure", "pressure/uniform.hpp", "params_.alpha *", "1.05 * params_.alpha *", "schemes/uniform_pressure"),
-    ("injected volume", "simulator.hpp", "rate_ * dt;", "1.05 * rate_ * dt;", "schemes/balances"),
+    ("injected volume", INJECTION, "? rate * dt", "? 1.05 * rate * dt", "schemes/balances"),
+    ("bits of a constant rate", INJECTION, "return from == time ? rate * dt :", "return", "schemes/injection"),
+    ("rate before a change within the step", INJECTION, "volume += rate * (change.time - from);", "volume += change.rate * (change.time - from);", "schemes/injection"),
+    ("rate after a change within the step", INJECTION, "volume + rate * (end - from)", "volume + rate * dt", "schemes/injection"),
+    ("change that is still to come", INJECTION, "if (change.time >= end) break;", "", "schemes/injection"),
+    ("changes that are past", INJECTION, "      rate = change.rate;\n", "      if (change.time > time) rate = change.rate;\n", "schemes/injection"),
+    ("plan after the host has steered", INJECTION, "    changes_.clear();\n", "", "schemes/injection"),
+    ("order of the schedule", INJECTION, "if (!(schedule[k].time > ", "if (!(schedule[k].time >= ", "schemes/injection"),
+    ("order of the schedule in a run's parameters", "simulator_params.hpp", "    injection.check();\n", "", "schemes/injection"),
+    ("length of the fluid step that a scheme is told", "simulator.hpp", "injected, dt}", "injected, 1.05 * dt}", "schemes/injection"),
+    ("two points in one domain", "setup/flow_domains.hpp", "if (std::find(all.begin(), all.end(), domain) != all.end())", "if (false)", "schemes/injection"),
+    ("fluid at every point", "state/network.hpp", "for (const Index d : injection_domains_) wet(d);", "wet(injection_domain());", "schemes/injection"),
+    ("preset crack that is cut once", "simulator.hpp", "if (std::find(preset_.begin(), preset_.end(), c) == preset_.end()) preset_", "preset_", "schemes/injection"),
+    ("joints at a further point", "simulator_checks.hpp", "for (const Index d : network.injection_domains())", "for (const Index d : {network.injection_domain()})", "schemes/joints"),
+    ("entries of lists", "base/fields.hpp", "k < value.size(); ++k)\n      check", "k + 1 < value.size(); ++k)\n      check", "loops/fields"),
+    ("saved state without schedule", INJECTION, "archive(rate_, changes_)", "archive(rate_)", "schemes/saved_state"),
+    ("saved state without the host's rate", INJECTION, "archive(rate_, changes_)", "archive(changes_)", "schemes/saved_state"),
     ("mass of a disc", "state/discs.hpp", "s.density * std", "1.05 * s.density * std", "loops/disc_motion"),
     ("inertia of a disc", "state/discs.hpp", "radius[disc] / 2;", "radius[disc] / 2.1;", "loops/disc_motion"),
     ("damping", "mechanics/motion.hpp", "return d * abs(force)", "return 1.05 * d * abs(force)", "loops/disc_motion"),

@@ -120,6 +120,16 @@ class KgdTest(unittest.TestCase):
             "boundary.kind=rubber": ["boundary.kind", "rubber", "servo", "frozen", "dead_loads"],
             "injection.position=[2, 0.1]": ["injection.position", "[2, 0.1]", "inside the specimen"],
             "injection.position=3": ["injection.position", "3", "[x, y]"],
+            "injection.position=[[0.1, 0.1]]": ["injection.position", "[[0.1, 0.1]]", "[x, y]"],
+            "injection.schedule=[0.1, 1e-4]": ["injection.schedule", "[0.1, 1e-04]",
+                                               "[[time, rate], ...]"],
+            "injection.schedule=[[0.1, 1e-4, 2]]": ["injection.schedule", "[[0.1, 1e-04, 2]]",
+                                                    "list of"],
+            "injection.schedule=[[0.2, 1e-4], [0.1, 0]]": ["injection.schedule, entry 2, time",
+                                                           "0.1 s", "greater than 0.2 s"],
+            "injection.further_points=7": ["injection.further_points", "7", "[[x, y], ...]"],
+            "injection.further_points=[[2, 0.1]]": ["injection.further_points, entry 1",
+                                                    "[2, 0.1]", "inside the specimen"],
             "crack.contacts=0": ["crack.contacts", "0", "at least 1"],
             "crack.contacts=999": ["crack.contacts", "999", "at most 40"],
             "contact.Young=1": ["Young", "contact", "tensile_strength"],
@@ -213,6 +223,35 @@ class KgdTest(unittest.TestCase):
         for crack in self.table("cracks.csv"):
             self.assertAlmostEqual(float(crack["y_m"]), 0.25, delta=1e-9)
         self.assertEqual(self.summary()["broken_bonds_off_plane"], 0)
+
+    def test_a_schedule_changes_the_rate_and_repeats_itself_from_its_file(self):
+        self.run_kgd("--quick", "--quiet", "--set", "run.end_time=0.12", out="constant")
+        self.assertNotIn("schedule", (self.path("constant") / "config.toml").read_text())
+        self.run_kgd("--quick", "--quiet", "--set", "run.end_time=0.12",
+                     "--set", "injection.schedule=[[0.04, 1.5e-4], [0.08, 0]]", out="steps")
+        constant, steps = self.summary("constant"), self.summary("steps")
+        self.assertAlmostEqual(steps["fluid_volume_m2"] / (0.04 * 0.5e-4 + 0.04 * 1.5e-4), 1,
+                               delta=1e-12)
+        # Without viscosity and leak-off the KGD fracture is as long as V^(2/3).
+        volumes = steps["fluid_volume_m2"] / constant["fluid_volume_m2"]
+        lengths = (steps["kgd"]["full_length_m"]["reference"]
+                   / constant["kgd"]["full_length_m"]["reference"])
+        self.assertAlmostEqual(lengths / volumes ** (2 / 3), 1, delta=1e-9)
+        self.assertIn("at first, then by a schedule", (self.path("steps") / "report.html").read_text())
+        config = self.path("steps") / "config.toml"
+        self.assertIn("schedule = [[0.04, 0.00015], [0.08, 0]]", config.read_text())
+        self.run_kgd("--quiet", "--config", str(config), out="again")
+        self.check_same_results("steps", "again")
+        self.run_kgd("--quiet", "--config", str(config), "--set", "injection.schedule=[]", out="none")
+        self.check_same_results("constant", "none")
+
+    def test_several_points_drive_a_crack_each(self):
+        self.run_kgd("--quick", "--quiet", "--set", "injection.position=[0.1, 0.2]",
+                     "--set", "injection.further_points=[[0.3, 0.2]]", "--set", "run.end_time=0.05")
+        self.assertEqual(self.summary()["preset_contacts"], 8)
+        self.assertEqual({round(float(crack["x_m"]), 9) for crack in self.table("cracks.csv")},
+                         {0.1, 0.3})
+        self.assertIn("through 2 points", (self.path("out") / "report.html").read_text())
 
 
 if __name__ == "__main__":
