@@ -169,7 +169,7 @@ TEST_CASE("the volumes of the domains sum up to that of the channels, whatever t
   const auto specimen = test::jittered_discs(9, 8, random);
   const auto contacts = hfdem::bonded_contacts<hfdem::FixedPairs>(specimen);
   const auto domains = hfdem::flow_domains(specimen, contacts);
-  hfdem::Network network(domains, static_cast<Index>(domains.centre.size() / 2), w0);
+  hfdem::Network network(domains, {static_cast<Index>(domains.centre.size() / 2)}, w0);
   for (Index c = 0; c < contacts.size(); ++c)
     if (domains.channels[c].domain[0] != hfdem::nothing &&
         domains.channels[c].domain[1] != hfdem::nothing)
