@@ -7,6 +7,7 @@
 /// alike, get the same bits.
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -39,8 +40,9 @@ class StoredFluid {
     const auto wet = network.wet_channels();
     for (; seen_ < wet.size(); ++seen_) {
       const Index c = wet[seen_];
-      const auto& [ends, length] = network.geometry().channels[c];
+      const auto& [ends, measured] = network.geometry().channels[c];
       if (ends[0] == nothing || ends[1] == nothing) continue;  // on the rim: the run is at its end
+      const double length = without_last_digits(measured);
       channels_.push_back({c, place_[ends[0]], place_[ends[1]], length});
       const double filled = min(network.filled_width(c), network.width(c));
       network.set_filled_width(c, filled);
@@ -95,6 +97,12 @@ class StoredFluid {
   void exchange(auto& archive) { archive(place_, stored_, room_, half_length_, channels_, seen_); }
 
  private:
+  /// Mirror images of a channel lie at other coordinates, from which its length was rounded.
+  static double without_last_digits(double length) {
+    constexpr double femtometres = 1e15;
+    return std::round(length * femtometres) / femtometres;
+  }
+
   std::vector<Index> place_;  // of each domain of the network among the wet ones
   std::vector<double> stored_, room_, half_length_;
   std::vector<WetChannel> channels_;
