@@ -81,8 +81,8 @@ class Assembly {
         [&](Index contact, double stiffness) { springs_.add(geometry()[contact], stiffness); });
     const double longest = step_factor_ / springs_.take(discs_);
     // A step that changes all the time costs a pass over all discs each time.
-    constexpr double margin = 0.95, worth_it = 1.1;
-    if (longest < dt() || margin * longest > worth_it * dt())
+    constexpr double margin = 0.95, worth_it = 1.1, round_off = 1e-12;
+    if (longest < (1 - round_off) * dt() || margin * longest > worth_it * dt())
       motion_.set_dt(discs_, margin * longest);
   }
 

@@ -104,7 +104,8 @@ class ImplicitFlow {
       find_residual(injected.dt);
       ++step.mechanical_steps;
       step.unbalanced_ratio = relaxed.unbalanced_ratio;
-      step.volume_error = missing_room() / injected.total;
+      const double wanted = injected.total > 0 ? injected.total : network.rest_volume();
+      step.volume_error = missing_room() / wanted;
       step.converged = step.volume_error <= params_.volume_tolerance &&
                        relaxed.unbalanced_ratio < params_.unbalanced_tolerance;
     } while (!step.converged && step.mechanical_steps < params_.max_mechanical_steps);
@@ -202,15 +203,15 @@ class ImplicitFlow {
     if (count == 0) return;
     const Answer c = answer(count);
     assemble(dt, c.each, full);
-    factor_.factorize(matrix_);
-    const Eigen::VectorXd change = factor_.solve(r);
-    const Eigen::VectorXd even = factor_.solve(full);
+    const Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(matrix_);
+    const Eigen::VectorXd change = factor.solve(r);
+    const Eigen::VectorXd even = factor.solve(full);
     double all_change = 0, all_even = 0;
     for (Eigen::Index k = 0; k < n; ++k)
       all_change += full[k] * change[k], all_even += full[k] * even[k];
     const double less = c.together * all_change / (1 + c.together * all_even);
     // A maximum loses what is not a number; a sum keeps it.
-    if (factor_.info() != Eigen::Success || !std::isfinite(less + all_change))
+    if (factor.info() != Eigen::Success || !std::isfinite(less + all_change))
       throw RunStopped(
           "the pressures have no solution: a width or a pressure is not a finite number");
     for (std::size_t d = 0; d < pressure_.size(); ++d)
@@ -248,7 +249,6 @@ class ImplicitFlow {
     }
     matrix_.resize(n, n);
     matrix_.setFromTriplets(entries.begin(), entries.end());
-    factor_.analyzePattern(matrix_);
     joined_ = fluid_.channels().size();
   }
 
@@ -275,7 +275,6 @@ class ImplicitFlow {
   double dt_;
   std::size_t joined_ = 0;  // channels in the matrix
   Matrix matrix_;           // lower triangle
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
 };
 
 }  // namespace hfdem
