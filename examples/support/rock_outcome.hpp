@@ -26,7 +26,8 @@ struct RockOutcome {
   measure::MicrocrackCounts count{};  ///< at the end
   measure::MicrocrackCounts in_joints{};  ///< those of them in natural fractures
   double first_break = NAN, breakdown = 0, propagation = NAN;  ///< pressures
-  std::optional<double> rim_time{};                            ///< if the crack reached the rim
+  double pressure_drop = 0;          ///< of the injection, over the mean of the wet domains
+  std::optional<double> rim_time{};  ///< if the crack reached the rim
   measure::ElasticModuli moduli{NAN, NAN};
   RunRecord run{};
 
@@ -41,6 +42,7 @@ void summarise(Summary& s, const Config& config, const typename Config::Sim& sim
   s.set("first_break_pressure_Pa", o.first_break);
   s.set("breakdown_pressure_Pa", o.breakdown);
   s.set("propagation_pressure_Pa", o.propagation);
+  s.set("pressure_drop_Pa", o.pressure_drop);
   s.set("tip_distance_m", o.end.tip_distance);
   s.set("tip_up_m", o.end.tip_up);
   s.set("tip_down_m", o.end.tip_down);

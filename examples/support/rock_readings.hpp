@@ -65,6 +65,8 @@ std::vector<RockReading> rock_readings(const Config& config, bool with_joints) {
        [](const auto& o, const auto&) { return o.breakdown; }, paper.breakdown},
       {"propagation_pressure_Pa", "propagation", "Pa",
        [](const auto& o, const auto&) { return o.propagation; }},
+      {"pressure_drop_Pa", "pressure drop at the end", "Pa",
+       [](const auto& o, const auto&) { return o.pressure_drop; }},
       {"reached_rim_at_s", "reached the rim", "s",
        [](const auto& o, const auto&) { return o.rim_time.value_or(NAN); }}};
   for (const double time : {0.3, 0.6, 0.9, 1.5}) {
@@ -81,6 +83,7 @@ std::vector<RockReading> rock_readings(const Config& config, bool with_joints) {
     add("connected_length_m", "microcracks", "m", &GrowthInstant::connected_length,
         paper.total_length);
     add("tortuosity", "tortuosity", "", &GrowthInstant::tortuosity, paper.tortuosity);
+    add("asymmetry", "asymmetry", "", &GrowthInstant::asymmetry, NAN);
     add("mean_aperture_m", "aperture", "m", &GrowthInstant::aperture, paper.aperture);
   }
   if (with_joints)

@@ -76,6 +76,7 @@ class RockRecorder {
     for (const BondBreak& b : sim.breaks())
       if (b.time >= config_.readings.breakdown_from)
         o.breakdown = std::fmax(o.breakdown, b.pressure);
+    o.pressure_drop = pressure_drop(sim);
     if (how.at_rim) o.rim_time = sim.time();
     return o;
   }
@@ -83,6 +84,16 @@ class RockRecorder {
   const observe::Growth& growth() const { return growth_; }
 
  private:
+  /// How far the mean pressure of the crack is below that of the injection, Pa.
+  template <class Sim>
+  static double pressure_drop(const Sim& sim) {
+    const Network& network = sim.network();
+    const auto wet = network.wet_domains();
+    double sum = 0;
+    for (const Index d : wet) sum += network.pressure(d);
+    return sim.injection_pressure() - sum / static_cast<double>(wet.size());
+  }
+
   const Config& config_;
   observe::Growth growth_;
   double peak_pressure_ = 0;
