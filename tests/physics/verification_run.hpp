@@ -8,8 +8,10 @@
 
 namespace test {
 
-using Kgd = hfdem::Simulator<hfdem::LinearParallelBond, hfdem::HyperbolicAperture,
-                             hfdem::UniformPressure, hfdem::FixedPairs>;
+template <class Pressure>
+using ArrayRun = hfdem::Simulator<hfdem::LinearParallelBond, hfdem::HyperbolicAperture, Pressure,
+                                  hfdem::FixedPairs>;
+using Kgd = ArrayRun<hfdem::UniformPressure>;
 
 struct Sample {
   double time, length, opening, net_pressure;
@@ -39,12 +41,13 @@ struct VerificationRun {
   }
 };
 
-inline VerificationRun inject(const Kgd::Params& params, const hfdem::SquareArray& array,
-                              double end_time) {
-  Kgd sim{hfdem::square_array(array), params};
+template <class Pressure = hfdem::UniformPressure>
+VerificationRun inject(const typename ArrayRun<Pressure>::Params& params,
+                       const hfdem::SquareArray& array, double end_time) {
+  ArrayRun<Pressure> sim{hfdem::square_array(array), params};
   const double far_field = params.in_situ.xx;
   VerificationRun run;
-  const auto look = [&](const Kgd& s) {
+  const auto look = [&](const ArrayRun<Pressure>& s) {
     const auto shape = hfdem::measure::crack_shape(s);
     run.samples.push_back(
         {s.time(), shape.full_length(), shape.opening, s.injection_pressure() - far_field});

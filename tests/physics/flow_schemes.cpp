@@ -1,0 +1,67 @@
+// One crack, three schemes: where their assumptions meet, so do their answers.
+#include <algorithm>
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "physics/verification_run.hpp"
+
+namespace {
+
+using namespace hfdem;
+using test::inject;
+using test::VerificationRun;
+
+constexpr SquareArray array{.columns = 50, .rows = 50};
+constexpr double end_time = 0.25;
+
+template <class Pressure>
+VerificationRun run(double viscosity, const typename Pressure::Params& scheme = {}) {
+  return inject<Pressure>({.fluid = {.viscosity = viscosity}, .scheme = scheme}, array, end_time);
+}
+
+/// Tips within a diameter, opening within 2 %, net pressure just before the breaks within 5 %.
+void check_agreement(const VerificationRun& a, const VerificationRun& b) {
+  CHECK(a.off_plane == 0);
+  CHECK(b.off_plane == 0);
+  CHECK(a.tips_always_equal);
+  CHECK(b.tips_always_equal);
+  CHECK(std::abs(a.end.tip_up - b.end.tip_up) < 1.01 * 2 * array.radius);
+  CHECK(std::abs(a.end.tip_down - b.end.tip_down) < 1.01 * 2 * array.radius);
+  // Window means, while both cracks are as long: each advance changes the opening at once.
+  const std::size_t advances = std::min(a.advances.size(), b.advances.size());
+  REQUIRE(advances > 5);
+  double opening = 0;
+  int compared = 0;
+  auto other = a.samples.begin();
+  for (const auto& there : b.samples) {
+    while (other->time < there.time - 1e-6 && other + 1 != a.samples.end()) ++other;
+    const auto& here = *other;
+    if (there.time < 0.1 || std::abs(here.length - there.length) > 1e-9) continue;
+    opening += here.opening / there.opening - 1;
+    ++compared;
+  }
+  REQUIRE(compared > 100);
+  CHECK(std::abs(opening / compared) < 0.02);
+  double pressure = 0;
+  for (std::size_t k = 2; k < advances; ++k)
+    pressure += (a.advances[k].net_pressure / b.advances[k].net_pressure - 1) /
+                static_cast<double>(advances - 2);
+  CHECK(std::abs(pressure) < 0.05);
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("flow_schemes");
+
+TEST_CASE("explicit and implicit flow agree in a viscous fluid") {
+  check_agreement(run<ConventionalFlow<>>(0.1, {.fluid_dt = 4e-6}),
+                  run<ImplicitFlow<>>(0.1, {.fluid_dt = 1e-4}));
+}
+
+TEST_CASE("flow of a slick fluid is the uniform pressure that it was taken for") {
+  const auto uniform = run<UniformPressure>(1, {.fluid_dt = 1e-4, .equilibrium = true});
+  check_agreement(run<ImplicitFlow<>>(6e-5), uniform);
+}
+
+TEST_SUITE_END();
