@@ -90,8 +90,8 @@ class RockRecorder {
     const Network& network = sim.network();
     const auto wet = network.wet_domains();
     double sum = 0;
-    for (const Index d : wet) sum += network.pressure(d);
-    return sim.injection_pressure() - sum / static_cast<double>(wet.size());
+    for (const Index d : wet) sum += sim.injection_pressure() - network.pressure(d);
+    return sum / static_cast<double>(wet.size());
   }
 
   const Config& config_;

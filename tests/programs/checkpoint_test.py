@@ -110,6 +110,14 @@ class CheckpointTest(unittest.TestCase):
                           "--set", "scheme.equilibrium=true", "--set", "run.end_time=0.006",
                           "--set", "boundary.kind=dead_loads", threads=("1", "2", "3"))
 
+    def test_fluid_that_flows_goes_on_too(self):
+        # The scheme is not asked for again.
+        for scheme in ("implicit", "conventional"):
+            self.check_killed(3, "--quick", "--scheme", scheme, "--set", "run.end_time=0.004", "--set",
+                              "fluid.viscosity=0.1", "--set", "injection.rate=3e-4", threads=("1", "2"))
+            shutil.rmtree(self.path("whole"))
+            shutil.rmtree(self.path("killed"))
+
     def test_a_random_rock_killed_at_twenty_moments_gives_the_same_bytes(self):
         self.check_killed(20, *SMALL_ROCK, "--set", "run.energy=true", program=INTACT)
 

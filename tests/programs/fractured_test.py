@@ -124,6 +124,16 @@ class FracturedTest(unittest.TestCase):
             self.assertEqual(self.config(case)["in_situ"], {"xx": 10e6, "yy": yy})
         self.refuse("--case", "2-S1", words=["--case", "N2-S1"])
 
+    def test_a_viscous_fluid_flows_into_a_natural_fracture(self):
+        self.succeed("--quick", "--case", "N1-S2", "--set", "fluid.viscosity=0.005", "--fractures",
+                     str(self.path("across.csv")), out="viscous")
+        self.assertEqual(self.config("viscous")["in_situ"]["yy"], 15e6)
+        summary = self.summary("viscous")
+        self.assertEqual(summary["scheme"], "implicit")
+        self.assertLess(summary["fluid_balance_relative_error"], 1e-10)
+        self.assertGreater(summary["microcracks"]["connected_joints"], 0)
+        self.assertGreater(summary["pressure_drop_Pa"], 1e5)
+
     def test_config_toml_and_the_fractures_repeat_a_run_on_any_number_of_threads(self):
         self.succeed("--config", str(self.path("across") / "config.toml"), "--threads", "2",
                      "--fractures", str(self.path("across") / "fractures.csv"), out="repeated")

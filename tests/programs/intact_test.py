@@ -127,6 +127,28 @@ class IntactTest(unittest.TestCase):
             self.assertEqual(config["run"]["end_time"], 0.05)
         self.refuse("--case", "3-S1", words=["--case", "2-S1"])
 
+    def test_a_viscous_case_has_a_fluid_that_flows(self):
+        self.succeed(*SHORT, out="slick")
+        for case, yy in (("1-S1", 12e6), ("1-S2", 15e6)):
+            self.succeed("--case", case, *SHORT, out=case)
+            config = self.config(case)
+            self.assertEqual(config["in_situ"], {"xx": 10e6, "yy": yy})
+            self.assertEqual(config["fluid"]["viscosity"], 0.1)
+            summary = self.summary(case)
+            self.assertEqual(summary["scheme"], "implicit")
+            self.assertLess(summary["fluid_balance_relative_error"], 1e-10)
+        viscous, slick = self.summary("1-S1"), self.summary("slick")
+        self.assertEqual(slick["pressure_drop_Pa"], 0)
+        self.assertGreater(viscous["pressure_drop_Pa"], 1e6)
+        self.assertGreater(viscous["propagation_pressure_Pa"], slick["propagation_pressure_Pa"])
+        self.assertLess(viscous["connected_length_m"], slick["connected_length_m"])
+        self.assertIn("a fluid of 100 cp", (self.path("1-S1") / "report.html").read_text())
+        self.succeed("--config", str(self.path("1-S1") / "config.toml"), out="again")
+        self.check_same_results("1-S1", "again")
+        self.refuse("--case", "1-S1", "--scheme", "uniform", words=["1-S1", "viscous", "implicit"])
+        self.succeed("--case", "2-S1", "--scheme", "implicit", *SHORT, out="flows")
+        self.assertEqual(self.config("flows")["fluid"]["viscosity"], 6e-5)
+
     def test_the_preset_of_the_paper_is_what_it_says(self):
         self.succeed("--preset", "paper", *SHORT, out="preset")
         config = self.config("preset")

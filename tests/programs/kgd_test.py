@@ -253,6 +253,47 @@ class KgdTest(unittest.TestCase):
                          {0.1, 0.3})
         self.assertIn("through 2 points", (self.path("out") / "report.html").read_text())
 
+    def test_a_viscous_crack_is_shorter_wider_and_under_more_pressure_with_both_schemes(self):
+        short = ("--quick", "--quiet", "--set", "run.end_time=0.05", "--set", "fluid.viscosity=0.1")
+        for scheme in ("uniform", "implicit", "conventional"):
+            self.run_kgd(*short, "--scheme", scheme, out=scheme)
+        uniform, implicit, explicit = (self.summary(s) for s in ("uniform", "implicit", "conventional"))
+        for name in ("full_length_m", "aperture_at_injection_m", "net_pressure_Pa"):
+            self.assertAlmostEqual(implicit[name] / explicit[name], 1, delta=0.02, msg=name)
+        self.assertLess(implicit["full_length_m"], uniform["full_length_m"])
+        self.assertGreater(implicit["aperture_at_injection_m"],
+                           1.1 * uniform["aperture_at_injection_m"])
+        self.assertGreater(implicit["net_pressure_Pa"], 1.5 * uniform["net_pressure_Pa"])
+        for summary in (uniform, implicit, explicit):
+            self.assertLess(summary["fluid_balance_relative_error"], 1e-10)
+        # The pressure falls along the crack.
+        pressure = [float(row["pressure_Pa"]) for row in self.table("profile.csv", "implicit")]
+        self.assertLess(pressure[0], 0.9 * max(pressure))
+        self.assertIn("a fluid of 100 cp", (self.path("implicit") / "report.html").read_text())
+
+    def test_a_parameter_file_knows_its_scheme(self):
+        for scheme in ("implicit", "conventional"):
+            self.run_kgd("--quick", "--quiet", "--scheme", scheme, "--set", "run.end_time=0.002",
+                         "--set", "fluid.viscosity=0.1", out=scheme)
+            self.run_kgd("--quiet", "--config", str(self.path(scheme) / "config.toml"), out="again")
+            self.check_same_results(scheme, "again")
+            self.assertEqual(self.summary("again")["scheme"], scheme)
+
+    def test_bad_fluids_and_schemes_are_refused(self):
+        for setting, words in {
+            "fluid.viscosity=0": ["fluid.viscosity", "0 Pa s", "greater than 0"],
+            "fluid.bulk_modulus=-1": ["fluid.bulk_modulus", "-1 Pa", "greater than 0"],
+            "scheme.fluid_dt=0": ["scheme.fluid_dt", "0 s", "greater than 0"],
+            "scheme.volume_tolerance=2": ["scheme.volume_tolerance", "2", "at most 1"],
+            "scheme.alpha=1": ["alpha", "pressure_floor"],
+        }.items():
+            done = self.run_kgd("--quick", "--scheme", "implicit", "--set", setting, out="bad", status=2)
+            for word in words:
+                self.assertIn(word, done.stderr)
+        done = self.run_kgd("--scheme", "magic", out="bad", status=2)
+        for word in ("--scheme", "magic", "implicit"):
+            self.assertIn(word, done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
