@@ -53,7 +53,7 @@ constexpr auto cases_of(std::array<std::string_view, 2> slick,
 /// A scheme's parameters for random rock.
 template <class Pressure>
 typename Pressure::Params rock_scheme() {
-  return {.fluid_dt = 1e-3, .unbalanced_tolerance = 5e-3};
+  return {.fluid_dt = 2e-3, .unbalanced_tolerance = 5e-3};
 }
 template <>
 inline UniformPressure::Params rock_scheme<UniformPressure>() {

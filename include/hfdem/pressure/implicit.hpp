@@ -108,11 +108,13 @@ class ImplicitFlow {
       step.volume_error = missing_room() / wanted;
       step.converged = step.volume_error <= params_.volume_tolerance &&
                        relaxed.unbalanced_ratio < params_.unbalanced_tolerance;
+      adapt_gain(step);
     } while (!step.converged && step.mechanical_steps < params_.max_mechanical_steps);
+    if (step.converged) slower_ = max(1.0, 0.8 * slower_);
     step.flow_steps = step.mechanical_steps;
     let_flow(injected.dt);
     publish(network);
-    constexpr double shorter = 0.5, longer = 1.25, shortest = 1.0 / 1024;
+    constexpr double shorter = 0.5, longer = 1.25, shortest = 1.0 / 16;
     dt_ = clamp(dt_ * (step.converged ? longer : shorter), shortest * params_.fluid_dt,
                 params_.fluid_dt);
     return step;
@@ -124,7 +126,7 @@ class ImplicitFlow {
   }
 
   /// What is stored, the pressures and the step.
-  void exchange(auto& archive) { archive(fluid_, pressure_, dt_); }
+  void exchange(auto& archive) { archive(fluid_, pressure_, dt_, slower_); }
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -163,6 +165,15 @@ class ImplicitFlow {
       residual_[d] -= fluid_.room()[d] * law_.filling(pressure_[d]);
   }
 
+  /// Grains that hardly anything holds answer more slowly than rock does: where forces do not come
+  /// to rest, pressures are changed in smaller steps; where they rest before volumes are met, in
+  /// larger ones.
+  void adapt_gain(const FluidStep& step) {
+    if (step.mechanical_steps % patience != 0) return;
+    const bool rests = step.unbalanced_ratio < params_.unbalanced_tolerance;
+    slower_ = clamp(rests ? slower_ / 4 : 2 * slower_, 1.0, slowest);
+  }
+
   /// Not full at the least pressure, nor about to be.
   bool is_empty(std::size_t d) const {
     return pressure_[d] <= params_.pressure_floor && residual_[d] <= 0;
@@ -188,7 +199,7 @@ class ImplicitFlow {
       squares += c.length * c.length;
     }
     const double half = length / 2;
-    const double steps = max(2.0, 0.3 * std::numbers::pi * half / (2 * rock_.wave_step));
+    const double steps = slower_ * max(2.0, 0.3 * std::numbers::pi * half / (2 * rock_.wave_step));
     const double each = 8 * squares / static_cast<double>(fluid_.channels().size()) / rock_.modulus;
     const double whole = 2 * std::numbers::pi * half * half / rock_.modulus;
     return {steps * max(0.0, whole - full * each) / (full * full), steps * each};
@@ -266,6 +277,9 @@ class ImplicitFlow {
       network.set_pressure(domains[d], pressure_[d]);
   }
 
+  static constexpr int patience = 200;  // mechanical steps
+  static constexpr double slowest = 64;
+
   Params params_;
   Fluid law_;
   RockResponse rock_;
@@ -273,6 +287,7 @@ class ImplicitFlow {
   std::vector<double> pressure_;                // of each wet domain, Pa
   std::vector<double> conductance_, residual_;  // of each wet channel, of each wet domain
   double dt_;
+  double slower_ = 1;       // than the model of the rock says
   std::size_t joined_ = 0;  // channels in the matrix
   Matrix matrix_;           // lower triangle
 };
