@@ -168,7 +168,8 @@ class Simulator {
   std::span<const Index> preset_contacts() const { return preset_; }  ///< cut before the run
   double injected_volume() const { return injected_; }                ///< V_f, m2
   /// Where the fluid is; only with a scheme that keeps account of it.
-  VolumeBalance volume_balance() const requires BalancesVolume<Pressure> {
+  template <BalancesVolume = Pressure>
+  VolumeBalance volume_balance() const {
     return pressure_.balance(network_, injected_ + rounded_off_);
   }
   /// Pressure of the domain that receives the fluid, Pa; with several, of the first.

@@ -8,9 +8,12 @@
 #include <hfdem/contact/smooth_joint.hpp>
 #include <hfdem/contact/smooth_platen.hpp>
 #include <hfdem/contact/unbreakable.hpp>
+#include <hfdem/fluid/newtonian.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
+#include <hfdem/pressure/conventional.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
+#include <hfdem/pressure/implicit.hpp>
 #include <hfdem/pressure/uniform.hpp>
 #include <hfdem/state/concepts.hpp>
 
@@ -39,6 +42,13 @@ static_assert(!HasJoints<LinearParallelBond>);
 static_assert(ApertureLaw<HyperbolicAperture>);
 static_assert(PressureScheme<UniformPressure> && PressureScheme<HeldPressure>);
 static_assert(PressureScheme<Dry>);
+static_assert(FluidLaw<NewtonianFluid>);
+static_assert(FlowScheme<ConventionalFlow<>> && FlowScheme<ImplicitFlow<>>);
+static_assert(PressureScheme<ConventionalFlow<>> && PressureScheme<ImplicitFlow<>>);
+static_assert(!FlowScheme<UniformPressure> && !FlowScheme<HeldPressure> && !FlowScheme<Dry>);
+static_assert(BalancesVolume<ConventionalFlow<>> && BalancesVolume<ImplicitFlow<>>);
+static_assert(BalancesVolume<UniformPressure>);
+static_assert(!BalancesVolume<HeldPressure> && !BalancesVolume<Dry>, "they keep no account");
 static_assert(NeighbourSearch<FixedPairs>);
 
 static_assert(RespondingLaw<SmoothPlaten>, "the contact loop runs over platens too");
@@ -170,6 +180,33 @@ static_assert(incomplete_aperture<MadeFromNothing<Aperture>, aperture_from_param
 static_assert(incomplete_aperture<ApertureWithoutRestWidth, rest_width>);
 static_assert(incomplete_aperture<ApertureWithoutWidth, width>);
 
+// ---- fluid law ----------------------------------------------------------------------------------
+
+enum FluidAtom : unsigned {
+  fluid_params = 1,
+  fluid_from_params = 2,
+  conductance = 4,
+  compressible = 8
+};
+
+template <class F>
+constexpr unsigned fluid_lacks = lacking({has_described_params<F>, constructible_from_params<F>,
+                                          gives_conductance<F>, is_compressible<F>});
+
+template <class F, FluidAtom atom>
+constexpr bool incomplete_fluid = fluid_lacks<F> == atom && !FluidLaw<F>;
+
+static_assert(fluid_lacks<Fluid> == 0 && FluidLaw<Fluid>);
+static_assert(incomplete_fluid<WithoutFields<Fluid>, fluid_params>);
+static_assert(incomplete_fluid<MadeFromNothing<Fluid>, fluid_from_params>);
+static_assert(incomplete_fluid<FluidWithoutConductance, conductance>);
+static_assert(incomplete_fluid<FluidWithThrowingConductance, conductance>);
+static_assert(incomplete_fluid<FluidWithoutFilling, compressible>);
+static_assert(incomplete_fluid<FluidWithoutPressure, compressible>);
+static_assert(incomplete_fluid<FluidWithoutModulus, compressible>);
+static_assert(!FluidLaw<HyperbolicAperture> && !FluidLaw<UniformPressure> && !FluidLaw<int>);
+static_assert(!ApertureLaw<NewtonianFluid> && !PressureScheme<NewtonianFluid>);
+
 // ---- pressure scheme --------------------------------------------------------------------------
 
 enum SchemeAtom : unsigned {
@@ -177,13 +214,14 @@ enum SchemeAtom : unsigned {
   scheme_from_params = 2,
   fluid_dt = 4,
   advance = 8,
-  fluid = 16
+  fluid = 16,
+  own_fluid = 32
 };
 
 template <class S>
-constexpr unsigned scheme_lacks = lacking({has_described_params<S>, constructible_from_params<S>,
+constexpr unsigned scheme_lacks = lacking({has_described_params<S>, made_from_params<S>,
                                            gives_fluid_dt<S>, advances_fluid<S>,
-                                           says_whether_it_holds_fluid<S>});
+                                           says_whether_it_holds_fluid<S>, takes_its_fluid<S>});
 
 template <class S, SchemeAtom atom>
 constexpr bool incomplete_scheme = scheme_lacks<S> == atom && !PressureScheme<S>;
@@ -194,6 +232,11 @@ static_assert(incomplete_scheme<MadeFromNothing<Scheme>, scheme_from_params>);
 static_assert(incomplete_scheme<SchemeWithoutFluidDt, fluid_dt>);
 static_assert(incomplete_scheme<SchemeWithoutAdvance, advance>);
 static_assert(incomplete_scheme<SchemeWithoutWord, fluid>);
+
+static_assert(FlowScheme<SchemeWithFluid> && PressureScheme<SchemeWithFluid>);
+static_assert(!FlowScheme<Scheme>, "it names no fluid");
+static_assert(incomplete_scheme<SchemeWithClosedFluid, own_fluid>);
+static_assert(incomplete_scheme<SchemeWithoutFluid, own_fluid>);
 
 // ---- neighbour search -------------------------------------------------------------------------
 

@@ -8,6 +8,7 @@
 
 #include "least/aperture_law.hpp"
 #include "least/contact_law.hpp"
+#include "least/fluid_law.hpp"
 #include "least/joint_law.hpp"
 #include "least/neighbour_search.hpp"
 #include "least/pressure_scheme.hpp"
@@ -19,6 +20,7 @@ using namespace hfdem;
 using Law = GluedSprings;
 using Joint = GluedWalls;
 using Aperture = RoughWalls;
+using Fluid = DenserFluid;
 using Scheme = PressureSteps;
 using Search = AllPairs;
 
@@ -240,7 +242,55 @@ struct ApertureWithoutWidth : Aperture {
   void width() = delete;
 };
 
+// ---- fluid law ----------------------------------------------------------------------------------
+
+struct FluidWithoutConductance : Fluid {
+  using Fluid::Fluid;
+  void conductance() = delete;
+};
+
+/// Flow is computed in loops that cannot catch anything.
+struct FluidWithThrowingConductance : Fluid {
+  using Fluid::Fluid;
+  double conductance(double width, double length, double drop, double mean) const {
+    return Fluid::conductance(width, length, drop, mean);
+  }
+};
+
+struct FluidWithoutFilling : Fluid {
+  using Fluid::Fluid;
+  void filling() = delete;
+};
+
+struct FluidWithoutPressure : Fluid {
+  using Fluid::Fluid;
+  void pressure() = delete;
+};
+
+struct FluidWithoutModulus : Fluid {
+  using Fluid::Fluid;
+  void modulus() = delete;
+};
+
 // ---- pressure scheme --------------------------------------------------------------------------
+
+/// It takes a fluid, and uses nothing of it.
+struct SchemeWithFluid : Scheme {
+  using Fluid = models::Fluid;
+  SchemeWithFluid(const Params& params, const Fluid&, const RockResponse&) : Scheme(params) {}
+};
+
+/// It names a fluid, but takes none.
+struct SchemeWithClosedFluid : Scheme {
+  using Fluid = models::Fluid;
+  using Scheme::Scheme;
+};
+
+/// What it takes is no fluid.
+struct SchemeWithoutFluid : Scheme {
+  using Fluid = Aperture;
+  SchemeWithoutFluid(const Params& params, const Fluid&, const RockResponse&) : Scheme(params) {}
+};
 
 /// It does not say whether it holds fluid.
 struct SchemeWithoutWord : Scheme {

@@ -1,10 +1,10 @@
-# The compiler must refuse Simulator<...>, or Jointed<...> in it, in PROGRAM with each of the FAULTS, "MACRO=Model:atom:member",
+# The compiler must refuse Simulator<...>, or Jointed<...> or a scheme with its fluid in it, in PROGRAM with each of the FAULTS, "MACRO=Model:atom:member",
 # and say which atom of a concept the model lacks and which member that atom asks for. Usage:
 #   cmake -DPROGRAM=... -DCOMPILE=... -DFAULTS=... -P must_not_compile.cmake
 set(ENV{LC_ALL} C)
 # The words of g++ and of clang++. An atom's name alone would prove nothing: the message may quote a
 # line of concepts.hpp that lists all atoms, or blame a function deep inside the simulator.
-set(refusal "(template constraint failure|constraints not satisfied) for [^\n]*(Simulator|Jointed)")
+set(refusal "(template constraint failure|constraints not satisfied) for [^\n]*(Simulator|Jointed|Flow)")
 set(reason "(required for the satisfaction of|does not satisfy)")
 foreach(fault IN LISTS FAULTS)
   string(REGEX MATCH "^(.*):(.*):(.*)$" matched ${fault})

@@ -2,6 +2,10 @@
 /// A simulator of the least policies that the concepts accept. It compiles as it stands, so the
 /// concepts ask for all that the simulator uses; with any faulty policy in its place it must not.
 #include <hfdem/simulator.hpp>
+#ifdef FLUID
+#include <hfdem/pressure/conventional.hpp>
+#include <hfdem/pressure/implicit.hpp>
+#endif
 
 #include "models.hpp"
 
@@ -19,7 +23,10 @@
 #endif
 
 using namespace models;
-#ifdef JOINT
+#ifdef FLUID
+template class hfdem::Simulator<CONTACT, APERTURE, hfdem::ImplicitFlow<FLUID>, NEIGHBOURS>;
+template class hfdem::Simulator<CONTACT, APERTURE, hfdem::ConventionalFlow<FLUID>, NEIGHBOURS>;
+#elif defined(JOINT)
 template class hfdem::Simulator<hfdem::Jointed<CONTACT, JOINT>, APERTURE, PRESSURE, NEIGHBOURS>;
 #else
 template class hfdem::Simulator<CONTACT, APERTURE, PRESSURE, NEIGHBOURS>;

@@ -69,6 +69,7 @@ class ConventionalFlow {
   }
 
   /// Lets the fluid flow at the present widths, then the discs move at the present pressures.
+  /// @throws RunStopped if that takes more steps of the flow than anybody would wait for
   template <class Relax>
   FluidStep advance(Network& network, const Injected& injected, Relax&& relax) {
     fluid_.join(network);
@@ -76,6 +77,10 @@ class ConventionalFlow {
     find_conductances(network);
     find_limit();
     const double wanted = std::ceil(injected.dt / longest_flow_step());
+    constexpr double far_too_many = 1e7;
+    if (wanted > far_too_many)
+      throw RunStopped("explicit flow would take " + in_words(wanted) +
+                       " steps in a fluid step: a channel is too wide, or its fluid too thin");
     const auto flow_steps = static_cast<long>(max(1.0, wanted));
     for (long k = 0; k < flow_steps; ++k)
       flow(network, injected.dt / static_cast<double>(flow_steps),

@@ -83,12 +83,25 @@ concept advances_fluid = requires(S& scheme, Network& network, const Injected& i
   { scheme.advance(network, injected, relax) } -> std::same_as<FluidStep>;
 };
 
-/// A scheme with a fluid that flows, a nested `Fluid`, is made from its parameters, the fluid and
-/// how the rock answers.
+/// The fluid of a scheme flows: a nested `Fluid`.
 template <class S>
-concept constructible_with_fluid = FluidLaw<typename S::Fluid> &&
-    std::constructible_from<S, const typename S::Params&, const typename S::Fluid&,
-                            const RockResponse&>;
+concept names_fluid = requires {
+  typename S::Fluid;
+};
+
+/// A scheme without a fluid that flows is made from its parameters.
+template <class S>
+concept made_from_params = names_fluid<S> || std::constructible_from<S, const typename S::Params&>;
+
+/// A scheme with a fluid that flows is made from its parameters, the fluid and how the rock
+/// answers.
+template <class S>
+concept made_with_fluid = std::constructible_from<S, const typename S::Params&,
+                                                  const typename S::Fluid&, const RockResponse&>;
+
+/// A scheme that names a fluid takes it.
+template <class S>
+concept takes_its_fluid = !names_fluid<S> || (FluidLaw<typename S::Fluid> && made_with_fluid<S>);
 
 /// What every scheme needs, however it is made.
 template <class S>
@@ -97,12 +110,11 @@ concept advances_pressure = has_described_params<S> && says_whether_it_holds_flu
 
 /// A scheme whose fluid flows.
 template <class S>
-concept FlowScheme = advances_pressure<S> && constructible_with_fluid<S>;
+concept FlowScheme = advances_pressure<S> && names_fluid<S> && takes_its_fluid<S>;
 
 /// How the fluid's pressure evolves in a fluid step.
 template <class S>
-concept PressureScheme = advances_pressure<S> &&
-    (constructible_from_params<S> || constructible_with_fluid<S>);
+concept PressureScheme = advances_pressure<S> && made_from_params<S> && takes_its_fluid<S>;
 
 /// A scheme that keeps account of its volumes: `balance(network, injected)`.
 template <class S>
