@@ -23,6 +23,7 @@ JOINT = "contact/smooth_joint.hpp"
 CRACK = "analytic/pressurised_crack.hpp"
 PLATE, FIELDS, SOLVER, GROWTH = (f"analytic/plate{s}.hpp" for s in ("", "_fields", "_solver", "_growth"))
 REGIME_MAP, REGIME_LAYOUT = "observe/regime_map.hpp", "observe/regime_layout.hpp"
+STORED, EXPLICIT, IMPLICIT = (f"pressure/{s}.hpp" for s in ("stored_fluid", "conventional", "implicit"))
 JOINTS, RANDOM_FRACTURES = "setup/joints.hpp", "setup/random_fractures.hpp"
 
 # name, header, what stands there, what a careless hand writes, the tests that must see it
@@ -273,6 +274,38 @@ MUTATIONS = [
     ("slip of a joint as it breaks", LEDGER, "slip = law.respond(k, slip_before, from).memory;", "", "measures/joint_books"),
     ("gap of a joint that has risen", LEDGER, "motion.opening - law.dilation(memory)", "motion.opening", "measures/joint_books"),
     ("place of a joint's force in the stress", "measure/particle_stress.hpp", "= sim.joints().crossing(k)", "= discs.centre[first]", "measures/joint_books"),
+    ("viscosity of a fluid", "fluid/newtonian.hpp", "12 * p.viscosity", "12.6 * p.viscosity", "flow/flow_in_chains"),
+    ("stiffness of a fluid", "fluid/newtonian.hpp", "modulus_(p.bulk_modulus)", "modulus_(1.05 * p.bulk_modulus)", "flow/flow_in_chains"),
+    ("cubic law", "fluid/newtonian.hpp", "width * width * width /", "5e-5 * width * width /", "flow/flow_in_chains"),
+    ("filling of a room", "fluid/newtonian.hpp", "1 + pressure / modulus_", "1 + 1.05 * pressure / modulus_", "flow/flow_in_chains"),
+    ("room of a domain", STORED, "network.width(c) / 2;", "network.width(c) / 2.1;", "flow/flow_in_chains"),
+    ("injection into a domain", STORED, "stored_.front() += volume", "stored_.front() += 1.05 * volume", "flow/volume_balance"),
+    ("fluid that was in a channel", STORED, "min(network.filled_width(c), network.width(c))", "network.filled_width(c)", "flow/volume_balance"),
+    ("half of a channel's fluid", STORED, "length * filled / 2;", "length * filled / 2.1;", "flow/volume_balance"),
+    ("what is empty in the ledger", STORED, "b.empty -= excess", "b.empty += excess", "flow/volume_balance"),
+    ("mirror images of a channel", STORED, "without_last_digits(measured)", "measured", "flow/same_bits"),
+    ("flow out of a domain", EXPLICIT, "stored[first] -= volume", "stored[first] -= 0.999 * volume", "flow/volume_balance"),
+    ("flow limit", EXPLICIT, "fluid_.room()[d] / (law_", "1.05 * fluid_.room()[d] / (law_", "flow/flow_in_chains"),
+    ("modulus in the flow limit", EXPLICIT, "law_.modulus(pressure_[d]) * leaving_", "law_.modulus(0) * leaving_", "flow/own_fluid"),
+    ("channel that limits the flow", EXPLICIT, "conductance_[k] > most", "conductance_[k] < 1 + most", "flow/flow_in_chains"),
+    ("number of flow steps", EXPLICIT, "std::ceil(injected.dt", "std::floor(injected.dt", "flow/flow_in_chains"),
+    ("fluid step without sub-cycling", EXPLICIT, "min(params_.fluid_dt, longest_flow_step())", "params_.fluid_dt", "flow/flow_in_chains"),
+    ("pressures after the discs have moved", EXPLICIT, "    find_pressures();\n    publish(network);\n    return", "    publish(network);\n    return", "flow/volume_balance"),
+    ("stiffness of the fluid in the mechanical step", EXPLICIT, "f(c, length / 2 *", "f(c, length / 2.2 *", "flow/fluid_springs"),
+    ("fluid springs in the mechanical step", "simulator.hpp", "    carry_fluid();\n    (tell", "    (tell", "flow/fluid_springs"),
+    ("both sides of a fluid spring", "mechanics/stable_step.hpp", "added_[disc] + 2 * stiffness", "added_[disc] + stiffness", "flow/fluid_springs"),
+    ("round-off in the mechanical step", "assembly.hpp", "(1 - round_off) * dt()", "(1 + round_off) * dt()", "flow/fluid_springs"),
+    ("step that never gets longer", "assembly.hpp", "worth_it = 1.1", "worth_it = 1e9", "flow/fluid_springs"),
+    ("inflow of the implicit scheme", IMPLICIT, "residual_[second] += volume", "residual_[second] += 0.95 * volume", "flow/flow_in_chains"),
+    ("implicit volumes", IMPLICIT, "stored[second] += volume", "stored[second] += 0.999 * volume", "flow/volume_balance"),
+    ("compressibility in the implicit system", IMPLICIT, "each + fluid_.room()[d] / law_", "each + 1.05 * fluid_.room()[d] / law_", "flow/flow_in_chains"),
+    ("flow in the implicit system", IMPLICIT, "const double flow = dt *", "const double flow = 1.05 * dt *", "flow/flow_in_chains"),
+    ("implicit step that does not converge", IMPLICIT, "shorter = 0.5", "shorter = 1", "flow/volume_balance"),
+    ("empty domains of the implicit scheme", IMPLICIT, "if (!is_empty(d)) missing", "missing", "flow/volume_balance"),
+    ("saved state without the fluid step", IMPLICIT, "archive(fluid_, pressure_, dt_)", "archive(fluid_, pressure_)", "flow/same_bits"),
+    ("saved state without what is stored", STORED, "archive(place_, stored_, room_", "archive(place_, room_", "flow/same_bits"),
+    ("saved state without the mechanical step", "assembly.hpp", "platens_, steps_, dt);", "platens_, steps_);", "flow/same_bits"),
+    ("ledger that looks away", "simulator_checks.hpp", "round_off = 1e-10", "round_off = 1e-5", "flow/volume_balance"),
 ]
 
 FLAGS = "-std=c++20 -O1 -w -ffp-contract=off -I/usr/include/eigen3".split()

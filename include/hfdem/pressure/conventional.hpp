@@ -114,7 +114,9 @@ class ConventionalFlow {
                 law_.modulus(pressure_[second]) * half_length[second] / room[second]));
   }
 
-  /// Where the fluid is. @param injected so far, m2
+  /// Where the fluid is.
+  /// @param network with widths and pressures
+  /// @param injected so far, m2
   VolumeBalance balance(const Network& network, double injected) const {
     return fluid_.balance(network, injected, law_, params_.pressure_floor);
   }

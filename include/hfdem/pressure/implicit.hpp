@@ -120,7 +120,9 @@ class ImplicitFlow {
     return step;
   }
 
-  /// Where the fluid is. @param injected so far, m2
+  /// Where the fluid is.
+  /// @param network with widths and pressures
+  /// @param injected so far, m2
   VolumeBalance balance(const Network& network, double injected) const {
     return fluid_.balance(network, injected, law_, params_.pressure_floor);
   }

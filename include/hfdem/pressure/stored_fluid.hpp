@@ -77,7 +77,11 @@ class StoredFluid {
   /// Half the length of the wet channels around each wet domain, m.
   std::span<const double> half_length() const { return half_length_; }
 
-  /// The ledger. @param law of the fluid @param floor the least pressure, Pa
+  /// The ledger.
+  /// @param network with widths and pressures
+  /// @param injected so far, m2
+  /// @param law of the fluid
+  /// @param floor the least pressure, Pa
   template <class Fluid>
   VolumeBalance balance(const Network& network, double injected, const Fluid& law,
                         double floor) const {

@@ -108,7 +108,9 @@ class UniformPressure {
     return step;
   }
 
-  /// Where the fluid is. @param injected so far, m2
+  /// Where the fluid is.
+  /// @param network with widths and pressures
+  /// @param injected so far, m2
   VolumeBalance balance(const Network& network, double injected) const {
     return {.injected = injected,
             .initial = network.filled_volume(),
