@@ -14,7 +14,7 @@ using test::MockCrack;
 using test::near;
 
 FluidStep advance(UniformPressure& scheme, MockCrack& crack, double volume) {
-  return scheme.advance(crack.network, {volume, volume}, [&] { return crack.relax(); });
+  return scheme.advance(crack.network, {volume, volume, 1e-4}, [&] { return crack.relax(); });
 }
 
 /// A step with a volume tolerance that is never met and no cap.
