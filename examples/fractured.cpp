@@ -4,9 +4,9 @@
 //
 //   build/release/examples/fractured --case N2-S2 --out out/fractured
 //
-// You should see, within a minute or two, a crack that meets natural fractures, follows some of them and
-// leaves others behind: open out/fractured/report.html. `--quick` runs a tenth of the area in some
-// seconds; `--fractures` takes fractures of your own; `--help` lists the options.
+// You should see, within a minute or two, a crack that meets natural fractures, follows some of
+// them and leaves others behind: open out/fractured/report.html. `--quick` runs a tenth of the area
+// in some seconds; `--fractures` takes fractures of your own; `--help` lists the options.
 #include <optional>
 #include <string>
 

@@ -59,6 +59,7 @@ class KgdResults {
     paraview_.fluid_step(sim, step);
     see_pressure(sim.injection_pressure());
     unconverged_ += step.converged ? 0 : 1;
+    flow_steps_ += step.flow_steps;
   }
 
   void bond_break(const Sim&, const BondBreak& b) { see_pressure(b.pressure); }
@@ -66,7 +67,7 @@ class KgdResults {
   /// What the run has come to so far.
   void exchange(auto& archive) {
     archive(measured_, history_file_, history_, paraview_, moduli_.young, moduli_.poisson,
-            unconverged_, peak_pressure_, watch_);
+            unconverged_, flow_steps_, peak_pressure_, watch_);
     if (energy_) archive(*energy_);
   }
 
@@ -170,6 +171,16 @@ class KgdResults {
     s.set("fluid_balance_relative_error", sim.volume_balance().relative_error());
     s.set("fluid_steps", sim.fluid_steps());
     s.set("unconverged_fluid_steps", run.unconverged);
+    if constexpr (flows<Sim>) s.set("flow_steps", flow_steps_);
+    if constexpr (requires { sim.pressure_scheme().flow_limit(); }) {
+      const Index channel = sim.pressure_scheme().limiting_channel();
+      s.set("flow_limit/time_step_s", sim.pressure_scheme().flow_limit());
+      if (channel != nothing) {
+        s.set("flow_limit/channel", static_cast<long>(channel));
+        s.set("flow_limit/x_m", sim.contact_point(channel).x);
+        s.set("flow_limit/y_m", sim.contact_point(channel).y);
+      }
+    }
     s.set("mechanical_steps", steps);
     s.set("settling_steps", sim.settling_steps());
     s.set("mechanical_dt_s", sim.mechanical_dt());
@@ -230,7 +241,7 @@ class KgdResults {
   observe::ParaView paraview_;
   std::optional<EnergyRecord<Sim>> energy_;  // if the books are kept
   measure::ElasticModuli moduli_{};
-  long unconverged_ = 0;
+  long unconverged_ = 0, flow_steps_ = 0;
   double peak_pressure_ = 0;
   Stopwatch watch_;
   std::string text_;

@@ -266,6 +266,13 @@ class KgdTest(unittest.TestCase):
         self.assertGreater(implicit["net_pressure_Pa"], 1.5 * uniform["net_pressure_Pa"])
         for summary in (uniform, implicit, explicit):
             self.assertLess(summary["fluid_balance_relative_error"], 1e-10)
+        # The widest channel limits explicit flow.
+        profile = self.table("profile.csv", "conventional")
+        widest = max(profile, key=lambda row: float(row["aperture_m"]))
+        self.assertAlmostEqual(explicit["flow_limit"]["y_m"], float(widest["y_m"]), delta=0.011)
+        width, length = float(widest["aperture_m"]), 0.01
+        self.assertAlmostEqual(explicit["flow_limit"]["time_step_s"] /
+                               (6 * 0.1 * length ** 2 / (2e9 * width ** 2)), 1, delta=0.1)
         # The pressure falls along the crack.
         pressure = [float(row["pressure_Pa"]) for row in self.table("profile.csv", "implicit")]
         self.assertLess(pressure[0], 0.9 * max(pressure))
