@@ -18,10 +18,7 @@
 ///
 /// The rock answers when a wave has run along the crack, so T = 0.3 of the steps which that takes.
 /// The model guides the search alone: what counts is r, and the balance of forces. Domains at the
-/// least pressure that are not full stay out of the system. It is sparse, symmetric and positive
-/// definite but for the rank one of c_u, for which Sherman and Morrison's formula stands. Domains
-/// are eliminated from the tips inwards: a crack without loops fills nothing in, and the mirror
-/// images of a symmetric one get the same bits.
+/// least pressure that are not full stay out of the system (pressure/flow_system.hpp).
 #pragma once
 
 #include <cmath>
@@ -33,12 +30,10 @@
 #include <hfdem/base/fields.hpp>
 #include <hfdem/base/pack.hpp>
 #include <hfdem/fluid/newtonian.hpp>
+#include <hfdem/pressure/flow_system.hpp>
 #include <hfdem/pressure/stored_fluid.hpp>
 #include <hfdem/state/concepts.hpp>
 #include <hfdem/state/step.hpp>
-
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 namespace hfdem {
 
@@ -89,19 +84,15 @@ class ImplicitFlow {
   template <class Relax>
   FluidStep advance(Network& network, const Injected& injected, Relax&& relax) {
     fluid_.join(network);
-    fluid_.find_room(network);
     fluid_.inject(injected.step, network.injection_domains().size());
+    take_stock(network, injected.dt);
     FluidStep step;
     do {
-      find_flow(network);
-      find_residual(injected.dt);
       solve(injected.dt);
       publish(network);
       const Relaxed relaxed = relax();
       fluid_.join(network);
-      fluid_.find_room(network);
-      find_flow(network);
-      find_residual(injected.dt);
+      take_stock(network, injected.dt);
       ++step.mechanical_steps;
       step.unbalanced_ratio = relaxed.unbalanced_ratio;
       const double wanted = injected.total > 0 ? injected.total : network.rest_volume();
@@ -131,11 +122,11 @@ class ImplicitFlow {
   void exchange(auto& archive) { archive(fluid_, pressure_, dt_, slower_); }
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
-
-  /// Unknowns are numbered against the order in which domains turned wet.
-  Eigen::Index row(std::size_t domain) const {
-    return static_cast<Eigen::Index>(fluid_.size() - 1 - domain);
+  /// What flows at the present widths and pressures, and what has no room then.
+  void take_stock(const Network& network, double dt) {
+    fluid_.find_room(network);
+    find_flow(network);
+    find_residual(dt);
   }
 
   void find_flow(const Network& network) {
@@ -208,61 +199,18 @@ class ImplicitFlow {
   }
 
   void solve(double dt) {
-    const auto n = static_cast<Eigen::Index>(fluid_.size());
-    Eigen::VectorXd r = Eigen::VectorXd::Zero(n), full = Eigen::VectorXd::Zero(n);
+    full_.assign(fluid_.size(), false);
     double count = 0;
-    for (std::size_t d = 0; d < residual_.size(); ++d)
-      if (!is_empty(d)) r[row(d)] = residual_[d], full[row(d)] = 1, ++count;
+    for (std::size_t d = 0; d < full_.size(); ++d)
+      if (!is_empty(d)) full_[d] = true, ++count;
     if (count == 0) return;
     const Answer c = answer(count);
-    assemble(dt, c.each, full);
-    const Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(matrix_);
-    const Eigen::VectorXd change = factor.solve(r);
-    const Eigen::VectorXd even = factor.solve(full);
-    double all_change = 0, all_even = 0;
-    for (Eigen::Index k = 0; k < n; ++k)
-      all_change += full[k] * change[k], all_even += full[k] * even[k];
-    const double less = c.together * all_change / (1 + c.together * all_even);
-    // A maximum loses what is not a number; a sum keeps it.
-    if (factor.info() != Eigen::Success || !std::isfinite(less + all_change))
-      throw RunStopped(
-          "the pressures have no solution: a width or a pressure is not a finite number");
+    own_.clear(), flow_.clear();
     for (std::size_t d = 0; d < pressure_.size(); ++d)
-      pressure_[d] =
-          max(params_.pressure_floor, pressure_[d] + change[row(d)] - less * even[row(d)]);
-  }
-
-  void assemble(double dt, double each, const Eigen::VectorXd& full) {
-    const auto channels = fluid_.channels();
-    if (matrix_.rows() != full.size() || joined_ != channels.size()) make_pattern(full.size());
-    matrix_.coeffs().setZero();
-    for (std::size_t d = 0; d < fluid_.size(); ++d) {
-      const bool counts = full[row(d)] > 0;
-      matrix_.coeffRef(row(d), row(d)) =
-          counts ? each + fluid_.room()[d] / law_.modulus(pressure_[d]) : 1;
-    }
-    for (std::size_t k = 0; k < channels.size(); ++k) {
-      const Eigen::Index a = row(channels[k].first), b = row(channels[k].second);
-      const double flow = dt * conductance_[k];
-      matrix_.coeffRef(a, a) += full[a] * flow;
-      matrix_.coeffRef(b, b) += full[b] * flow;
-      matrix_.coeffRef(max_index(a, b), min_index(a, b)) -= full[a] * full[b] * flow;
-    }
-  }
-
-  static Eigen::Index max_index(Eigen::Index a, Eigen::Index b) { return a > b ? a : b; }
-  static Eigen::Index min_index(Eigen::Index a, Eigen::Index b) { return a < b ? a : b; }
-
-  void make_pattern(Eigen::Index n) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index d = 0; d < n; ++d) entries.emplace_back(d, d, 1.0);
-    for (const WetChannel& c : fluid_.channels()) {
-      const Eigen::Index a = row(c.first), b = row(c.second);
-      entries.emplace_back(max_index(a, b), min_index(a, b), 0.0);
-    }
-    matrix_.resize(n, n);
-    matrix_.setFromTriplets(entries.begin(), entries.end());
-    joined_ = fluid_.channels().size();
+      own_.push_back(c.each + fluid_.room()[d] / law_.modulus(pressure_[d]));
+    for (const double conductance : conductance_) flow_.push_back(dt * conductance);
+    system_.add_solution(fluid_, {own_, flow_, c.together}, residual_, full_, pressure_);
+    for (double& p : pressure_) p = max(params_.pressure_floor, p);
   }
 
   void let_flow(double dt) {
@@ -289,9 +237,10 @@ class ImplicitFlow {
   std::vector<double> pressure_;                // of each wet domain, Pa
   std::vector<double> conductance_, residual_;  // of each wet channel, of each wet domain
   double dt_;
-  double slower_ = 1;       // than the model of the rock says
-  std::size_t joined_ = 0;  // channels in the matrix
-  Matrix matrix_;           // lower triangle
+  double slower_ = 1;  // than the model of the rock says
+  FlowSystem system_;
+  std::vector<double> own_, flow_;  // its coefficients
+  std::vector<bool> full_;          // the domains that take part in it
 };
 
 }  // namespace hfdem
