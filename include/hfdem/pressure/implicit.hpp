@@ -17,8 +17,11 @@
 ///   C = c_u 1 1^T + c_l I,  c_l = 8 l_p^2 / E',  1^T C 1 = 2 pi a^2 / E'.
 ///
 /// The rock answers when a wave has run along the crack, so T = 0.3 of the steps which that takes.
-/// The model guides the search alone: what counts is r, and the balance of forces. Domains at the
-/// least pressure that are not full stay out of the system (pressure/flow_system.hpp).
+/// Until then rooms go on changing as they do: the right side is what r will be after T steps at
+/// the rate of the last one. Without that, pressure turns for ever beside grains that hardly
+/// anything holds. Model and outlook guide the search alone: what counts is r, and the balance of
+/// forces. Domains at the least pressure that are not full stay out of the system
+/// (pressure/flow_system.hpp).
 #pragma once
 
 #include <cmath>
@@ -86,10 +89,12 @@ class ImplicitFlow {
     fluid_.join(network);
     fluid_.inject(injected.step, network.injection_domains().size());
     take_stock(network, injected.dt);
+    room_before_.clear();
     FluidStep step;
     do {
       solve(injected.dt);
       publish(network);
+      room_before_.assign(fluid_.room().begin(), fluid_.room().end());
       const Relaxed relaxed = relax();
       fluid_.join(network);
       take_stock(network, injected.dt);
@@ -99,9 +104,7 @@ class ImplicitFlow {
       step.volume_error = missing_room() / wanted;
       step.converged = step.volume_error <= params_.volume_tolerance &&
                        relaxed.unbalanced_ratio < params_.unbalanced_tolerance;
-      adapt_gain(step);
     } while (!step.converged && step.mechanical_steps < params_.max_mechanical_steps);
-    if (step.converged) slower_ = max(1.0, 0.8 * slower_);
     step.flow_steps = step.mechanical_steps;
     let_flow(injected.dt);
     publish(network);
@@ -119,7 +122,7 @@ class ImplicitFlow {
   }
 
   /// What is stored, the pressures and the step.
-  void exchange(auto& archive) { archive(fluid_, pressure_, dt_, slower_); }
+  void exchange(auto& archive) { archive(fluid_, pressure_, dt_); }
 
  private:
   /// What flows at the present widths and pressures, and what has no room then.
@@ -158,15 +161,6 @@ class ImplicitFlow {
       residual_[d] -= fluid_.room()[d] * law_.filling(pressure_[d]);
   }
 
-  /// Grains that hardly anything holds answer more slowly than rock does: where forces do not come
-  /// to rest, pressures are changed in smaller steps; where they rest before volumes are met, in
-  /// larger ones.
-  void adapt_gain(const FluidStep& step) {
-    if (step.mechanical_steps % patience != 0) return;
-    const bool rests = step.unbalanced_ratio < params_.unbalanced_tolerance;
-    slower_ = clamp(rests ? slower_ / 4 : 2 * slower_, 1.0, slowest);
-  }
-
   /// Not full at the least pressure, nor about to be.
   bool is_empty(std::size_t d) const {
     return pressure_[d] <= params_.pressure_floor && residual_[d] <= 0;
@@ -182,20 +176,21 @@ class ImplicitFlow {
 
   /// How the rooms answer pressure: C, and how many steps it takes.
   struct Answer {
-    double together, each;  ///< c_u and c_l, m2/Pa
+    double steps;           ///< T
+    double together, each;  ///< T c_u and T c_l, m2/Pa
   };
   Answer answer(double full) const {
-    if (std::isinf(rock_.modulus)) return {0, 0};
+    if (std::isinf(rock_.modulus)) return {0, 0, 0};
     double length = 0, squares = 0;
     for (const WetChannel& c : fluid_.channels()) {
       length += c.length;
       squares += c.length * c.length;
     }
     const double half = length / 2;
-    const double steps = slower_ * max(2.0, 0.3 * std::numbers::pi * half / (2 * rock_.wave_step));
+    const double steps = max(2.0, 0.3 * std::numbers::pi * half / (2 * rock_.wave_step));
     const double each = 8 * squares / static_cast<double>(fluid_.channels().size()) / rock_.modulus;
     const double whole = 2 * std::numbers::pi * half * half / rock_.modulus;
-    return {steps * max(0.0, whole - full * each) / (full * full), steps * each};
+    return {steps, steps * max(0.0, whole - full * each) / (full * full), steps * each};
   }
 
   void solve(double dt) {
@@ -209,6 +204,8 @@ class ImplicitFlow {
     for (std::size_t d = 0; d < pressure_.size(); ++d)
       own_.push_back(c.each + fluid_.room()[d] / law_.modulus(pressure_[d]));
     for (const double conductance : conductance_) flow_.push_back(dt * conductance);
+    for (std::size_t d = 0; d < room_before_.size(); ++d)
+      residual_[d] -= c.steps * (fluid_.room()[d] - room_before_[d]);
     system_.add_solution(fluid_, {own_, flow_, c.together}, residual_, full_, pressure_);
     for (double& p : pressure_) p = max(params_.pressure_floor, p);
   }
@@ -227,17 +224,14 @@ class ImplicitFlow {
       network.set_pressure(domains[d], pressure_[d]);
   }
 
-  static constexpr int patience = 200;  // mechanical steps
-  static constexpr double slowest = 64;
-
   Params params_;
   Fluid law_;
   RockResponse rock_;
   StoredFluid fluid_;
   std::vector<double> pressure_;                // of each wet domain, Pa
+  std::vector<double> room_before_;             // the last mechanical step, m2
   std::vector<double> conductance_, residual_;  // of each wet channel, of each wet domain
   double dt_;
-  double slower_ = 1;  // than the model of the rock says
   FlowSystem system_;
   std::vector<double> own_, flow_;  // its coefficients
   std::vector<bool> full_;          // the domains that take part in it
