@@ -39,7 +39,6 @@ namespace {
 void test_slits(const ToughnessConfig& config, const CommandLine& options, Checkpoint& checkpoint,
                 std::vector<measure::SlitTest>& tests, const Stopwatch& watch) {
   const Lattice& lattice = config.lattice;
-  const double closing = std::fmin(lattice.in_situ.xx, lattice.in_situ.yy);
   if (lattice.in_situ.xx == 0 && lattice.in_situ.yy == 0)
     refuse("in_situ", "xx", "0 Pa, and in_situ.yy too,",
            "greater than 0: equilibrium is judged by the forces that the in-situ stress makes");
@@ -51,23 +50,9 @@ void test_slits(const ToughnessConfig& config, const CommandLine& options, Check
            "at most " + std::to_string(most) + ": a slit needs rock ahead of its tips");
   ProgressLine progress(options.quiet);
   while (tests.size() < lengths.size()) {
-    LatticeSlit slit(square_array(lattice.specimen),
-                     {.contact = lattice.contact,
-                      .aperture = lattice.aperture,
-                      .boundary = lattice.boundary,
-                      .in_situ = lattice.in_situ,
-                      .mechanics = config.mechanics,
-                      .scheme = config.scheme},
-                     lengths[tests.size()]);
-    slit.use_threads(options.threads);
-    // Well below the first break; a longer slit breaks at less pressure, about as 1 / sqrt(a).
-    const double start = tests.empty()
-                             ? 0.1 * std::fmax(closing, 1e6)
-                             : 0.8 * tests.back().net_pressure_at_break *
-                                   std::sqrt(tests.back().half_length / slit.half_length());
-    tests.push_back(slit.test(start, config.slits.accuracy));
+    tests.push_back(next_slit_test(config, tests, options.threads));
     progress.show(static_cast<double>(tests.size()) / static_cast<double>(lengths.size()),
-                  "slit of " + in_words(2 * slit.half_length()) + " m");
+                  "slit of " + in_words(2 * tests.back().half_length) + " m");
     checkpoint.save(tests, watch);
     if (interrupted())
       checkpoint.interrupt("after slit " + std::to_string(tests.size()) + " of " +

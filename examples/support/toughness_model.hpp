@@ -3,8 +3,10 @@
 /// sections and files that other rocks share with it.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <hfdem/analytic/lattice_fracture.hpp>
 #include <hfdem/measure/slit.hpp>
@@ -63,6 +65,31 @@ struct ToughnessConfig : SectionTree<ToughnessConfig> {
     f("slits", self.slits);
   }
 };
+
+/// Tests the next slit of a series.
+/// @param config with the series
+/// @param tests of the slits before it
+/// @param threads for the loops
+/// @throws RunStopped if a state finds no equilibrium
+inline measure::SlitTest next_slit_test(const ToughnessConfig& config,
+                                        const std::vector<measure::SlitTest>& tests, int threads) {
+  const Lattice& lattice = config.lattice;
+  LatticeSlit slit(square_array(lattice.specimen),
+                   {.contact = lattice.contact,
+                    .aperture = lattice.aperture,
+                    .boundary = lattice.boundary,
+                    .in_situ = lattice.in_situ,
+                    .mechanics = config.mechanics,
+                    .scheme = config.scheme},
+                   config.slits.contacts()[tests.size()]);
+  slit.use_threads(threads);
+  const double closing = std::fmin(lattice.in_situ.xx, lattice.in_situ.yy);
+  // Well below the first break; a longer slit breaks at less pressure, about as 1 / sqrt(a).
+  const double start = tests.empty() ? 0.1 * std::fmax(closing, 1e6)
+                                     : 0.8 * tests.back().net_pressure_at_break *
+                                           std::sqrt(tests.back().half_length / slit.half_length());
+  return slit.test(start, config.slits.accuracy);
+}
 
 /// What a toughness file holds: the numbers, and the lattice that they belong to.
 struct MeasuredToughness : SectionTree<MeasuredToughness> {
