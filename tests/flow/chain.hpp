@@ -27,7 +27,7 @@ struct Chain {
 
   /// Full of fluid without pressure. @param injection domain that receives more
   Chain(const std::vector<double>& of_channels, std::size_t injection)
-      : network(domains(of_channels.size()), static_cast<hfdem::Index>(injection), 1e-6),
+      : network(domains(of_channels.size()), {static_cast<hfdem::Index>(injection)}, 1e-6),
         widths(of_channels) {
     for (std::size_t k = 0; k < widths.size(); ++k) network.set_rest_width(channel(k), widths[k]);
     for (std::size_t k = injection; k < widths.size(); ++k) network.open(channel(k));

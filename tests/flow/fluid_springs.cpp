@@ -78,7 +78,7 @@ class Cracked {
     }
     REQUIRE(broken.size() > 1);
     constexpr double width = 2e-5;
-    hfdem::Network network(domains, domains.channels[broken.front()].domain[0], width);
+    hfdem::Network network(domains, {domains.channels[broken.front()].domain[0]}, width);
     for (const Index c : broken) network.open(c);
     REQUIRE(network.wet_channels().size() == broken.size());
     return network;
