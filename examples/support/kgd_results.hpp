@@ -60,6 +60,7 @@ class KgdResults {
     see_pressure(sim.injection_pressure());
     unconverged_ += step.converged ? 0 : 1;
     flow_steps_ += step.flow_steps;
+    balance_error_ = std::fmax(balance_error_, sim.volume_balance().relative_error());
   }
 
   void bond_break(const Sim&, const BondBreak& b) { see_pressure(b.pressure); }
@@ -67,7 +68,7 @@ class KgdResults {
   /// What the run has come to so far.
   void exchange(auto& archive) {
     archive(measured_, history_file_, history_, paraview_, moduli_.young, moduli_.poisson,
-            unconverged_, flow_steps_, peak_pressure_, watch_);
+            unconverged_, flow_steps_, balance_error_, peak_pressure_, watch_);
     if (energy_) archive(*energy_);
   }
 
@@ -168,7 +169,7 @@ class KgdResults {
     s.set("rule", std::string(words_of(config_.simulator.scheme).rule));
     s.set("scheme", std::string(words_of(config_.simulator.scheme).name));
     s.set("viscosity_Pa_s", config_.simulator.fluid.viscosity);
-    s.set("fluid_balance_relative_error", sim.volume_balance().relative_error());
+    s.set("fluid_balance_relative_error", balance_error_);
     s.set("fluid_steps", sim.fluid_steps());
     s.set("unconverged_fluid_steps", run.unconverged);
     if constexpr (flows<Sim>) s.set("flow_steps", flow_steps_);
@@ -242,7 +243,7 @@ class KgdResults {
   std::optional<EnergyRecord<Sim>> energy_;  // if the books are kept
   measure::ElasticModuli moduli_{};
   long unconverged_ = 0, flow_steps_ = 0;
-  double peak_pressure_ = 0;
+  double peak_pressure_ = 0, balance_error_ = 0;
   Stopwatch watch_;
   std::string text_;
 };

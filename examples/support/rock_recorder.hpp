@@ -53,10 +53,13 @@ class RockRecorder {
     if (sim.time() >= config_.readings.breakdown_from)
       peak_pressure_ = std::fmax(peak_pressure_, sim.injection_pressure());
     unconverged_ += step.converged ? 0 : 1;
+    balance_error_ = std::fmax(balance_error_, sim.volume_balance().relative_error());
   }
 
   /// What the run has come to so far.
-  void exchange(auto& archive) { archive(growth_, peak_pressure_, unconverged_, watch_); }
+  void exchange(auto& archive) {
+    archive(growth_, peak_pressure_, unconverged_, balance_error_, watch_);
+  }
 
   /// @param how the run ended
   template <class Sim>
@@ -77,6 +80,7 @@ class RockRecorder {
       if (b.time >= config_.readings.breakdown_from)
         o.breakdown = std::fmax(o.breakdown, b.pressure);
     o.pressure_drop = pressure_drop(sim);
+    o.balance_error = balance_error_;
     if (how.at_rim) o.rim_time = sim.time();
     return o;
   }
@@ -96,7 +100,7 @@ class RockRecorder {
 
   const Config& config_;
   observe::Growth growth_;
-  double peak_pressure_ = 0;
+  double peak_pressure_ = 0, balance_error_ = 0;
   long unconverged_ = 0;
   Stopwatch watch_;
 };

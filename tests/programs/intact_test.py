@@ -141,7 +141,7 @@ class IntactTest(unittest.TestCase):
         self.assertEqual(slick["pressure_drop_Pa"], 0)
         self.assertGreater(viscous["pressure_drop_Pa"], 1e6)
         self.assertGreater(viscous["propagation_pressure_Pa"], slick["propagation_pressure_Pa"])
-        self.assertLess(viscous["connected_length_m"], slick["connected_length_m"])
+        self.assertLess(viscous["tip_distance_m"], slick["tip_distance_m"])
         self.assertIn("a fluid of 100 cp", (self.path("1-S1") / "report.html").read_text())
         self.succeed("--config", str(self.path("1-S1") / "config.toml"), out="again")
         self.check_same_results("1-S1", "again")
