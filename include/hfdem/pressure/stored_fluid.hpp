@@ -63,8 +63,9 @@ class StoredFluid {
     }
   }
 
-  /// Shares out what is injected, m2, among the domains that receive it, which were wet first.
-  /// @param points how many these are
+  /// Shares out what is injected among the domains that receive it, which were wet first.
+  /// @param volume that is injected, m2
+  /// @param points how many domains these are
   void inject(double volume, std::size_t points) {
     for (std::size_t d = 0; d < points; ++d) stored_[d] += volume / static_cast<double>(points);
   }
