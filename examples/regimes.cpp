@@ -55,7 +55,7 @@ class Work {
 
  private:
   double slits_of(std::size_t rocks) const {
-    constexpr double a_slit = 6;  // takes as long as so many cracks
+    constexpr double a_slit = 4;  // takes as long as so many cracks
     return a_slit * static_cast<double>(rocks) * config_.slits.count *
            std::pow(config_.study.slit_discs, 3);
   }
@@ -78,9 +78,10 @@ std::optional<CrackReading> crack(const RegimesConfig& config, const RegimeCase&
                                   Progress&& progress) {
   const double begin = (1 - config.study.window) * c.time;
   const double end = (1 + config.study.window) * c.time;
-  CrackWatch watch(begin, config.rock(c.rock).across);
+  const RegimeRock& rock = config.rock(c.rock);
+  CrackWatch watch(begin, rock.across, rock.pressure_floor);
   try {
-    RegimeArray sim(square_array(config.rock(c.rock).lattice(c.discs).specimen), config.params(c));
+    RegimeArray sim(square_array(rock.lattice(c.discs).specimen), config.params(c));
     sim.use_threads(threads);
     const bool ended = sim.run_until(end, watch, [&](const RegimeArray& now) {
       progress(now.time() / end);

@@ -33,6 +33,7 @@ struct RegimeRock {
   double across = 0;
   double along = 0;
   double aperture = 0;
+  double pressure_floor = 0;
 
   static constexpr auto fields() {
     using P = RegimeRock;
@@ -42,7 +43,9 @@ struct RegimeRock {
         Field{"along", &P::along, "Pa", positive, "in-situ stress along the crack"},
         Field{"aperture", &P::aperture, "m", positive,
               "residual aperture w0; about as much as slits open less than a continuum's, so that "
-              "a channel is as wide as the continuum's crack"}};
+              "a channel is as wide as the continuum's crack"},
+        Field{"pressure_floor", &P::pressure_floor, "Pa", any_number,
+              "least pressure of the fluid: suction that the bonds beside it bear"}};
   }
 
   /// The array that slits test, and runs. Bonds fail in tension alone.
@@ -86,6 +89,20 @@ struct RegimeCase {
   }
 };
 
+/// Fluid steps, as those of `ImplicitFlow`.
+struct RegimeSteps {
+  double fluid_dt = 1e-3;
+  double unbalanced_tolerance = 1e-3;
+
+  static constexpr auto fields() {
+    using P = RegimeSteps;
+    return std::tuple{
+        Field{"fluid_dt", &P::fluid_dt, "s", positive, "longest fluid time step"},
+        Field{"unbalanced_tolerance", &P::unbalanced_tolerance, "", positive,
+              "largest resultant on a disc over the mean contact force at equilibrium"}};
+  }
+};
+
 /// How much is studied, and how it is read.
 struct RegimesStudy {
   int cracks = 5;
@@ -107,18 +124,25 @@ struct RegimesStudy {
 struct RegimesConfig : SectionTree<RegimesConfig> {
   /// The strength of the one gives wide cracks; the other breaks at little more than the stress
   /// that closes it, which leaves the fluid room for suction at the tips.
-  RegimeRock tough{.tensile_strength = 20e6, .across = 5e6, .along = 60e6, .aperture = 3.5e-6};
-  RegimeRock weak{.tensile_strength = 2.4e6, .across = 20e6, .along = 150e6, .aperture = 8e-6};
-  ImplicitFlow<>::Params scheme{
-      .fluid_dt = 1e-3, .unbalanced_tolerance = 1e-3, .pressure_floor = -14e6};
-  measure::SlitSeries slits{.shortest = 8, .longest = 24, .count = 3};
+  RegimeRock tough{.tensile_strength = 20e6,
+                   .across = 5e6,
+                   .along = 150e6,
+                   .aperture = 3.5e-6,
+                   .pressure_floor = -45e6};
+  RegimeRock weak{.tensile_strength = 2.4e6,
+                  .across = 20e6,
+                  .along = 150e6,
+                  .aperture = 8e-6,
+                  .pressure_floor = -16e6};
+  RegimeSteps steps;
+  measure::SlitSeries slits{.shortest = 8, .longest = 24, .count = 2, .accuracy = 2e-3};
   RegimesStudy study;
   /// From the toughness vertex to the viscosity vertex.
   std::array<RegimeCase, 5> cracks{RegimeCase{RockKind::tough, 120, 1e-4, 1e-4, 0.35},
                                    RegimeCase{RockKind::tough, 100, 1e-3, 1e-4, 0.25},
                                    RegimeCase{RockKind::tough, 100, 1e-2, 2e-4, 0.12},
-                                   RegimeCase{RockKind::tough, 120, 0.1, 3e-4, 0.12},
-                                   RegimeCase{RockKind::weak, 200, 0.1, 5e-4, 0.4}};
+                                   RegimeCase{RockKind::tough, 120, 0.1, 3e-4, 0.16},
+                                   RegimeCase{RockKind::weak, 200, 0.2, 6e-4, 0.4}};
 
   /// Of the cracks, as sections and files have them.
   static constexpr std::array<std::string_view, 5> names{
@@ -151,7 +175,7 @@ struct RegimesConfig : SectionTree<RegimesConfig> {
     return {{},
             rock(kind).lattice(study.slit_discs),
             {},
-            {.unbalanced_tolerance = 1e-6, .max_mechanical_steps = 100000},
+            {.unbalanced_tolerance = 3e-6, .max_mechanical_steps = 100000},
             slits};
   }
 
@@ -164,14 +188,16 @@ struct RegimesConfig : SectionTree<RegimesConfig> {
             .in_situ = l.in_situ,
             .injection = {.rate = crack.rate},
             .fluid = {.viscosity = crack.viscosity},
-            .scheme = scheme};
+            .scheme = {.fluid_dt = steps.fluid_dt,
+                       .unbalanced_tolerance = steps.unbalanced_tolerance,
+                       .pressure_floor = rock(crack.rock).pressure_floor}};
   }
 
   template <class Self, class F>
   static void visit(Self& self, F& f) {
     f("tough", self.tough);
     f("weak", self.weak);
-    f("scheme", self.scheme);
+    f("steps", self.steps);
     f("slits", self.slits);
     f("study", self.study);
     for (std::size_t k = 0; k < names.size(); ++k) f(names[k], self.cracks[k]);

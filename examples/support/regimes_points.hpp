@@ -25,7 +25,7 @@ struct RegimePoint {
   RegimeReference mean_toughness{};  ///< toughness at the mean pressure
   double length_to_width = 0;        ///< 2a / W
   analytic::PlateFactors plate{};    ///< of the finite array at this length
-  double floor = 0, disc = 0;        ///< least pressure of the fluid, Pa; diameter, m
+  double disc = 0;                   ///< diameter, m
 
   /// The crack of a continuum that opens like ours, m.
   double opening() const { return ours.opening + rock.opening_offset; }
@@ -36,12 +36,7 @@ struct RegimePoint {
     return RegimeTolerance::length_holds(ours.half_length, kgd_half_length(), disc);
   }
   bool opening_holds() const { return RegimeTolerance::opening_holds(opening(), kgd_opening()); }
-  /// The references have no fluid lag: nor has this crack if its fluid never came to its least
-  /// pressure.
-  bool has_lag() const { return ours.least_pressure <= floor; }
-  bool holds() const {
-    return ours.stopped.empty() && length_holds() && opening_holds() && !has_lag();
-  }
+  bool holds() const { return ours.stopped.empty() && length_holds() && opening_holds(); }
 };
 
 /// What the slits of a rock say.
@@ -64,7 +59,6 @@ inline RegimePoint regime_point(const RegimesConfig& config, std::size_t number,
                     .crack = c,
                     .rock = rock,
                     .ours = ours,
-                    .floor = config.scheme.pressure_floor,
                     .disc = 2 * l.specimen.radius};
   point.name = point.key;
   std::replace(point.name.begin(), point.name.end(), '_', ' ');

@@ -28,6 +28,7 @@ struct CrackReading {
   double opening = 0;                ///< w - w0 at the injection, m
   double net_pressure = 0;           ///< at the injection, Pa
   double least_pressure = INFINITY;  ///< of all wet domains and fluid steps of the window, Pa
+  double lag = 0;                    ///< part of the crack at the least pressure
   std::vector<MeanPoint> profile{};  ///< of one wing, where it was broken all the time
   int off_plane = 0;                 ///< bonds that broke beside the crack's line, in all
   long unconverged = 0;              ///< fluid steps, in all
@@ -35,7 +36,7 @@ struct CrackReading {
   std::string stopped{};             ///< why the run ended early; empty if it did not
 
   void exchange(auto& archive) {
-    archive(time, half_length, opening, net_pressure, least_pressure, profile, off_plane,
+    archive(time, half_length, opening, net_pressure, least_pressure, lag, profile, off_plane,
             unconverged, mechanical_steps, stopped);
   }
 };
@@ -45,7 +46,9 @@ class CrackWatch {
  public:
   /// @param from begin of the window, s; it ends with the run
   /// @param closing in-situ stress across the crack, Pa
-  CrackWatch(double from, double closing) : from_(from), closing_(closing) {}
+  /// @param floor least pressure of the fluid, Pa
+  CrackWatch(double from, double closing, double floor)
+      : from_(from), closing_(closing), floor_(floor) {}
 
   /// Heard after every fluid step.
   template <class Sim>
@@ -60,8 +63,12 @@ class CrackWatch {
     sums_.half_length += dt * shape.full_length() / 2;
     sums_.opening += dt * shape.opening;
     sums_.net_pressure += dt * (sim.injection_pressure() - closing_);
-    for (const Index d : sim.network().wet_domains())
-      sums_.least_pressure = std::fmin(sums_.least_pressure, sim.network().pressure(d));
+    const auto domains = sim.network().wet_domains();
+    for (const Index d : domains) {
+      const double pressure = sim.network().pressure(d);
+      sums_.least_pressure = std::fmin(sums_.least_pressure, pressure);
+      if (pressure <= floor_) sums_.lag += dt / static_cast<double>(domains.size());
+    }
     for (const measure::CrackPoint& p : measure::crack_profile(sim)) {
       if (p.along < 0) continue;
       Place& place = places_[std::lround(p.along * 1e6)];
@@ -76,7 +83,8 @@ class CrackWatch {
   template <class Sim>
   CrackReading reading(const Sim& sim) const {
     CrackReading mean = sums_;
-    for (double* sum : {&mean.time, &mean.half_length, &mean.opening, &mean.net_pressure})
+    for (double* sum :
+         {&mean.time, &mean.half_length, &mean.opening, &mean.net_pressure, &mean.lag})
       *sum /= seconds_;
     for (const auto& [micrometres, place] : places_)
       if (place.seconds > (1 - 1e-9) * seconds_)
@@ -93,7 +101,7 @@ class CrackWatch {
     MeanPoint sum{};
   };
 
-  double from_, closing_;
+  double from_, closing_, floor_;
   double before_ = 0, seconds_ = 0;
   CrackReading sums_{};
   std::map<long, Place> places_{};  // by the distance from the injection, in micrometres

@@ -127,6 +127,7 @@ class RegimesResults {
     f("plate_width_factor", p.plate.width);
     f("plate_toughness_factor", p.plate.toughness);
     f("least_pressure_Pa", p.ours.least_pressure);
+    f("fluid_lag", p.ours.lag);
     f("breaks_off_plane", double(p.ours.off_plane));
     f("unconverged_fluid_steps", double(p.ours.unconverged));
     f("mechanical_steps", double(p.ours.mechanical_steps));
@@ -176,7 +177,6 @@ class RegimesResults {
       s.compare(at + "net_pressure", p.ours.net_pressure, p.reference.fracture.net_pressure);
       s.set(at + "length_holds", p.length_holds());
       s.set(at + "opening_holds", p.opening_holds());
-      s.set(at + "fluid_lag", p.has_lag());
     }
     const auto kinds = config_.rocks();
     for (std::size_t r = 0; r < rocks_.size(); ++r) {
@@ -313,12 +313,14 @@ class RegimesResults {
   }
 
   observe::Table run_table() const {
-    observe::Table t{.header = {"crack", "time", "least pressure", "bonds broken off the line",
-                                "unconverged fluid steps", "mechanical steps"}};
+    observe::Table t{.header = {"crack", "time", "least pressure", "lag",
+                                "bonds broken off the line", "unconverged fluid steps",
+                                "mechanical steps"}};
     for (const RegimePoint* p : run())
-      t.rows.push_back({p->name, observe::fixed(p->ours.time, 3, "s"),
-                        megapascals(p->ours.least_pressure), std::to_string(p->ours.off_plane),
-                        said(p->ours.unconverged), said(p->ours.mechanical_steps)});
+      t.rows.push_back(
+          {p->name, observe::fixed(p->ours.time, 3, "s"), megapascals(p->ours.least_pressure),
+           observe::fixed(100 * p->ours.lag, 2, "%"), std::to_string(p->ours.off_plane),
+           said(p->ours.unconverged), said(p->ours.mechanical_steps)});
     return t;
   }
 
@@ -349,8 +351,8 @@ class RegimesResults {
       if (!p.ours.stopped.empty()) page.stopped += p.name + ": " + p.ours.stopped + ". ";
     const auto good = std::ranges::count_if(points_, [](const auto& p) { return p.holds(); });
     page.text(std::to_string(good) + " of " + std::to_string(points_.size()) +
-              " cracks have a half-length within a disc or 5 % of the reference, an opening within "
-              "8 % and no fluid lag.");
+              " cracks have a half-length within a disc or 5 % of the reference, an opening "
+              "within 8 %.");
     page.figure(map());
     page.table(table());
     page.section("Along the cracks");
@@ -369,12 +371,13 @@ class RegimesResults {
     page.text(
         "Toughness grows with the net pressure beside the contact that breaks. In a slit that is "
         "the same everywhere; in a viscous fluid it falls towards the tip, below the in-situ "
-        "stress: pressure is not bounded in the references. They have no fluid lag, and a crack is "
-        "without lag if its least pressure stays above the floor of " +
-        megapascals(config_.scheme.pressure_floor) +
-        ", which lets the injection begin in a closed crack and does nothing afterwards.");
+        "stress: pressure has no bound in the references, which have no fluid lag.");
     page.table(toughness_table());
     page.section("How the runs went");
+    page.text(
+        "Suction has a floor that bonds beside the fluid bear; without one, no pressure is found "
+        "while the injection begins in a closed crack. The lag is the part of the crack at the "
+        "floor, on the mean over the window: fluid comes that low just after a break.");
     page.table(run_table());
     page.facts({{"wall time", observe::fixed(wall_, 1, "s")}});
     add_parameters(page, config_, RegimesConfig{});
