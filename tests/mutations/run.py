@@ -194,6 +194,10 @@ MUTATIONS = [
     ("pressure of a step", "analytic/stepwise_growth.hpp", "rock.K_IC_per_pressure);", "1.05 * rock.K_IC_per_pressure);", "measures/toughness_fit"),
     ("volume of a step", "analytic/stepwise_growth.hpp", "length / 2 + rock_.overhang", "length / 2 + 1.05 * rock_.overhang", "measures/toughness_fit"),
     ("opening of a step", "analytic/stepwise_growth.hpp", "return 2 * length * net_pressure", "return 2.1 * length * net_pressure", "measures/toughness_fit"),
+    ("viscosity of a crack's fluid", "fluid/newtonian.hpp", "(12 * p.viscosity)", "(14.4 * p.viscosity)", "physics/viscous_crack"),
+    ("injected fluid of a viscous crack", INJECTION, "? rate * dt :", "? 1.1 * rate * dt :", "physics/viscous_crack"),
+    ("opening of a viscous crack's channels", "aperture/hyperbolic.hpp", "w0 + (gap > 0 ? gap : 0)", "w0 + 1.1 * (gap > 0 ? gap : 0)", "physics/viscous_crack"),
+    ("toughness at no pressure", "analytic/lattice_fracture.hpp", "return K_IC + K_IC_per_pressure * net_pressure;", "return 1.05 * K_IC + K_IC_per_pressure * net_pressure;", "physics/viscous_crack"),
     ("saved state without velocities", "state/discs.hpp", "std::span(velocity), ", "", "schemes/saved_state"),
     ("saved state without loads", "state/discs.hpp", ", std::span(load));", ");", "schemes/saved_state"),
     ("saved state without broken bonds", "mechanics/contact_range.hpp", "archive(stiffness_);", ";", "schemes/saved_state"),
@@ -316,6 +320,7 @@ def passes(include, test, folder):
     program = folder / "test"
     sources = [ROOT / "tests" / "main.cpp", ROOT / "tests" / f"{test}.cpp"]
     build = [os.environ.get("CXX", "g++"), *FLAGS, f"-I{include}", f"-I{ROOT / 'tests'}",
+             f"-I{ROOT / 'examples'}",
              f"-I{(ROOT / 'tests' / test).parent}", *map(str, sources), "-o", str(program)]
     subprocess.run(build, check=True)
     return subprocess.run([str(program)], capture_output=True).returncode == 0
