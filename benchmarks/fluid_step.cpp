@@ -7,7 +7,7 @@
 ///   build/release/benchmarks/fluid_step --race                   all three schemes, to 0.9 s
 ///
 /// You should see the fluid alone cost some 10 to 100 ns per domain, little beside the mechanical
-/// steps; and in the race uniform pressure ahead, implicit flow within twice its time at any
+/// steps; and in the race uniform pressure ahead, implicit flow not far behind at any
 /// viscosity, and explicit flow far behind where the viscosity is low.
 #include <algorithm>
 #include <cmath>
