@@ -39,6 +39,18 @@ struct RegimePoint {
   bool holds() const { return ours.stopped.empty() && length_holds() && opening_holds(); }
 };
 
+/// The cracks that came to their end.
+inline std::vector<const RegimePoint*> arrived(const std::vector<RegimePoint>& points) {
+  std::vector<const RegimePoint*> all;
+  for (const RegimePoint& p : points)
+    if (p.ours.stopped.empty()) all.push_back(&p);
+  return all;
+}
+
+inline std::string rock_name(RockKind kind) {
+  return std::string(names_of<RockKind>[static_cast<std::size_t>(kind)]);
+}
+
 /// What the slits of a rock say.
 /// @throws InvalidParameter if the array is no plate that the solution knows
 inline analytic::LatticeFracture fracture_of(const ToughnessConfig& slits,

@@ -9,12 +9,10 @@
 #include <string>
 #include <vector>
 
-#include <hfdem/observe/chart.hpp>
-#include <hfdem/observe/regime_map.hpp>
-#include <hfdem/observe/report.hpp>
-
 #include "support/output_folder.hpp"
+#include "support/regimes_figures.hpp"
 #include "support/regimes_points.hpp"
+#include "support/regimes_report.hpp"
 #include "support/summary.hpp"
 
 namespace hfdem::support {
@@ -59,13 +57,13 @@ class RegimesResults {
   void write(const OutputFolder& folder) const {
     folder.write("points.csv", points_csv());
     folder.write("profiles.csv", profiles_csv());
-    folder.write("map.svg", svg(map()));
-    for (const RegimePoint* p : run()) {
+    folder.write("map.svg", svg(regimes_map(config_, points_)));
+    for (const RegimePoint* p : arrived(points_)) {
       folder.write(p->key + "_opening.svg", svg(opening_chart(*p)));
       folder.write(p->key + "_pressure.svg", svg(pressure_chart(*p)));
     }
     folder.write("summary.json", summary().json());
-    folder.write("report.html", report());
+    folder.write("report.html", RegimesReport(config_, rocks_, points_, manifest_, wall_).html());
   }
 
   /// The table for a terminal.
@@ -94,16 +92,6 @@ class RegimesResults {
 
  private:
   static double percent(double ours, double reference) { return 100 * (ours / reference - 1); }
-
-  /// The cracks that came to their end.
-  std::vector<const RegimePoint*> run() const {
-    std::vector<const RegimePoint*> all;
-    for (const RegimePoint& p : points_)
-      if (p.ours.stopped.empty()) all.push_back(&p);
-    return all;
-  }
-
-  // ---- numbers ----------------------------------------------------------------------------------
 
   /// Calls `f(name, value)` for every number of a crack, SI.
   template <class F>
@@ -138,7 +126,7 @@ class RegimesResults {
 
   std::string points_csv() const {
     std::string text;
-    for (const RegimePoint* p : run()) {
+    for (const RegimePoint* p : arrived(points_)) {
       std::string header = "crack", row = p->key;
       for_each_number(*p, [&](const std::string& name, double value) {
         header += ',' + name;
@@ -153,7 +141,7 @@ class RegimesResults {
   std::string profiles_csv() const {
     std::string text =
         "crack,along_m,opening_m,net_pressure_Pa,kgd_opening_m,kgd_net_pressure_Pa\n";
-    for (const RegimePoint* p : run())
+    for (const RegimePoint* p : arrived(points_))
       for (const MeanPoint& m : p->ours.profile) {
         const double beyond = p->reference.fracture.net_pressure_at(m.along);
         text +=
@@ -188,214 +176,6 @@ class RegimesResults {
     s.set("wall_s", wall_);
     s.set("threads", manifest_.threads);
     return s;
-  }
-
-  static std::string rock_name(RockKind kind) {
-    return std::string(names_of<RockKind>[static_cast<std::size_t>(kind)]);
-  }
-
-  // ---- pictures ---------------------------------------------------------------------------------
-
-  static std::string verdict(const RegimePoint& p) {
-    return "length " + difference(p.ours.half_length, p.kgd_half_length()) + ", opening " +
-           difference(p.opening(), p.kgd_opening());
-  }
-
-  observe::RegimeMap map() const {
-    observe::RegimeMap map{
-        .title = "From toughness to viscosity",
-        .caption =
-            "Each ring is a crack through an array of discs. Below its name stands how far "
-            "its length and its opening at the injection are from the general solution for "
-            "the modulus and the toughness of slits.",
-        .conditions = conditions()};
-    for (const RegimePoint* p : run())
-      map.points.push_back({p->name, p->reference.problem, verdict(*p)});
-    return map;
-  }
-
-  std::string conditions() const {
-    const RegimeRock& p = config_.tough;
-    return "Square arrays of discs of radius 5 mm, no leak-off; contacts of " +
-           in_words(p.tensile_strength / 1e6) + " MPa under " + in_words(p.across / 1e6) +
-           " MPa, and of " + in_words(config_.weak.tensile_strength / 1e6) + " MPa under " +
-           in_words(config_.weak.across / 1e6) + " MPa.";
-  }
-
-  static std::string said_crack(const RegimePoint& p) {
-    return in_words(p.crack.viscosity * 1e3) + " cp, " + in_words(p.crack.rate * 1e4) +
-           " × 10^{-4} m²/s, " + in_words(p.crack.time) + " s; " + std::to_string(p.crack.discs) +
-           " x " + std::to_string(p.crack.discs) + " discs; K_{m} " +
-           observe::fixed(p.reference.K_m(), 2) + ".";
-  }
-
-  /// Ours and KGD's along one wing.
-  template <class Ours, class Kgd>
-  static observe::Chart profile_chart(const RegimePoint& p, const std::string& title,
-                                      const std::string& unit, Ours&& ours, Kgd&& kgd) {
-    observe::Chart chart{.title = title + ": " + p.name,
-                         .x_label = "distance from the injection (m)",
-                         .y_label = unit,
-                         .caption =
-                             "Means over the window of time; where the crack was broken all "
-                             "that time.",
-                         .conditions = said_crack(p)};
-    observe::Series lattice{.name = "discs", .style = observe::Series::Style::markers};
-    for (const MeanPoint& m : p.ours.profile)
-      lattice.x.push_back(m.along), lattice.y.push_back(ours(m));
-    observe::Series general{.name = "KGD", .colour = observe::okabe_ito::black};
-    constexpr int points = 200;
-    for (int k = 0; k <= points; ++k) {
-      const double part = 1 - static_cast<double>(k) / points;
-      const double x = p.kgd_half_length() * (1 - part * part);
-      if (const double y = kgd(x); std::isfinite(y)) general.x.push_back(x), general.y.push_back(y);
-    }
-    chart.series = {general, lattice};
-    return chart;
-  }
-
-  static observe::Chart opening_chart(const RegimePoint& p) {
-    return profile_chart(
-        p, "Opening", "opening (µm)",
-        [&](const MeanPoint& m) { return (m.opening + p.rock.opening_offset) * 1e6; },
-        [&](double x) { return p.reference.fracture.width_at(x) * 1e6; });
-  }
-
-  static observe::Chart pressure_chart(const RegimePoint& p) {
-    double least = 0;
-    for (const MeanPoint& m : p.ours.profile) least = std::fmin(least, m.net_pressure);
-    return profile_chart(
-        p, "Net pressure", "net pressure (MPa)",
-        [&](const MeanPoint& m) { return m.net_pressure / 1e6; },
-        [&](double x) {
-          const double pressure = p.reference.fracture.net_pressure_at(x);
-          return pressure < 1.2 * least - 1e6 ? NAN : pressure / 1e6;
-        });
-  }
-
-  // ---- the page ---------------------------------------------------------------------------------
-
-  observe::Table table() const {
-    observe::Table t{
-        .caption =
-            "Means over the window of time. The opening is w - w_{0} plus the offset of the "
-            "slits. f_{w} and f_{K} are what the finite plate does to opening and stress "
-            "intensity.",
-        .header = {"crack", "K_{m}", "half-length", "KGD", "", "opening", "KGD", "", "net pressure",
-                   "KGD", "2a/W", "f_{w}", "f_{K}"}};
-    for (const RegimePoint* p : run())
-      t.rows.push_back(
-          {p->name, observe::fixed(p->reference.K_m(), 2), metres(p->ours.half_length),
-           metres(p->kgd_half_length()), difference(p->ours.half_length, p->kgd_half_length()),
-           micrometres(p->opening()), micrometres(p->kgd_opening()),
-           difference(p->opening(), p->kgd_opening()), megapascals(p->ours.net_pressure),
-           megapascals(p->reference.fracture.net_pressure), observe::fixed(p->length_to_width, 3),
-           observe::fixed(p->plate.width, 3), observe::fixed(p->plate.toughness, 3)});
-    return t;
-  }
-
-  observe::Table toughness_table() const {
-    observe::Table t{
-        .caption =
-            "The toughness of the reference: taken at the mean net pressure over the last "
-            "disc before the tip, and what the reference were if it was taken at the mean "
-            "pressure of the whole crack.",
-        .header = {"crack", "pressure at the tip", "K_{IC}", "K_{m}", "K_{m} by the mean pressure",
-                   "length", "opening"}};
-    for (const RegimePoint* p : run())
-      t.rows.push_back({p->name, megapascals(p->reference.toughness_pressure),
-                        observe::fixed(p->reference.problem.K_IC / 1e6, 2, "MPa·m^{1/2}"),
-                        observe::fixed(p->reference.K_m(), 2),
-                        observe::fixed(p->mean_toughness.K_m(), 2),
-                        difference(p->mean_toughness.fracture.half_length, p->kgd_half_length()),
-                        difference(p->mean_toughness.fracture.width, p->kgd_opening())});
-    return t;
-  }
-
-  observe::Table run_table() const {
-    observe::Table t{.header = {"crack", "time", "least pressure", "lag",
-                                "bonds broken off the line", "unconverged fluid steps",
-                                "mechanical steps"}};
-    for (const RegimePoint* p : run())
-      t.rows.push_back(
-          {p->name, observe::fixed(p->ours.time, 3, "s"), megapascals(p->ours.least_pressure),
-           observe::fixed(100 * p->ours.lag, 2, "%"), std::to_string(p->ours.off_plane),
-           said(p->ours.unconverged), said(p->ours.mechanical_steps)});
-    return t;
-  }
-
-  observe::Table rock_table() const {
-    observe::Table t{.header = {"array", "E'", "K_{IC} without pressure", "more per net pressure",
-                                "opens less by", "mean opening less by"}};
-    const auto kinds = config_.rocks();
-    for (std::size_t r = 0; r < rocks_.size(); ++r) {
-      const auto& rock = rocks_[r];
-      t.rows.push_back({rock_name(kinds[r]), observe::fixed(rock.E_prime / 1e9, 2, "GPa"),
-                        observe::fixed(rock.K_IC / 1e6, 3, "MPa·m^{1/2}"),
-                        observe::fixed(rock.K_IC_per_pressure, 4, "m^{1/2}"),
-                        observe::fixed(rock.opening_offset * 1e6, 2, "µm"),
-                        observe::fixed(rock.volume_offset * 1e6, 2, "µm")});
-    }
-    return t;
-  }
-
-  std::string report() const {
-    observe::Report page;
-    page.title = "From toughness to viscosity";
-    page.lead =
-        "Fluids of several viscosities drive cracks through square arrays of bonded discs, "
-        "beside the KGD fracture without any fit. " +
-        conditions();
-    page.program = "hfdem " + manifest_.version + ", program " + manifest_.program;
-    for (const RegimePoint& p : points_)
-      if (!p.ours.stopped.empty()) page.stopped += p.name + ": " + p.ours.stopped + ". ";
-    const auto good = std::ranges::count_if(points_, [](const auto& p) { return p.holds(); });
-    page.text(std::to_string(good) + " of " + std::to_string(points_.size()) +
-              " cracks have a half-length within a disc or 5 % of the reference, an opening "
-              "within 8 %.");
-    page.figure(map());
-    page.table(table());
-    page.section("Along the cracks");
-    const auto cracks = run();
-    for (std::size_t k = cracks.size(); k-- > 0;) {
-      page.figure(opening_chart(*cracks[k]));
-      page.figure(pressure_chart(*cracks[k]));
-    }
-    page.section("What is compared");
-    page.text(
-        "Modulus, toughness and offsets are those of slits in arrays of the same contacts under "
-        "the same stress. A row of contacts opens less than a crack in a continuum, so the "
-        "continuum's crack holds more: the reference is that of the injected volume and the "
-        "length times the mean offset. Lengths are those of broken contacts, n R for a wing.");
-    page.table(rock_table());
-    page.text(
-        "Toughness grows with the net pressure beside the contact that breaks. In a slit that is "
-        "the same everywhere; in a viscous fluid it falls towards the tip, below the in-situ "
-        "stress: pressure has no bound in the references, which have no fluid lag.");
-    page.table(toughness_table());
-    page.section("How the runs went");
-    page.text(
-        "Suction has a floor that bonds beside the fluid bear; without one, no pressure is found "
-        "while the injection begins in a closed crack. The lag is the part of the crack at the "
-        "floor, on the mean over the window: fluid comes that low just after a break.");
-    page.table(run_table());
-    page.facts({{"wall time", observe::fixed(wall_, 1, "s")}});
-    add_parameters(page, config_, RegimesConfig{});
-    page.section("Files");
-    std::vector<observe::File> written{{"points.csv", "the numbers of each crack"},
-                                       {"profiles.csv", "opening and pressure along each crack"},
-                                       {"summary.json", "all numbers, and those of the slits"},
-                                       {"map.svg", "the map"},
-                                       {"config.toml",
-                                        "every parameter; repeats the study with "
-                                        "--config"}};
-    for (const RegimePoint* p : run()) {
-      written.push_back({p->key + "_opening.svg", "the opening of the " + p->name});
-      written.push_back({p->key + "_pressure.svg", "its pressure"});
-    }
-    page.files(written);
-    add_manifest(page, manifest_);
-    return page.html();
   }
 
   const RegimesConfig& config_;

@@ -304,6 +304,7 @@ MUTATIONS = [
     ("implicit volumes", IMPLICIT, "stored[second] += volume", "stored[second] += 0.999 * volume", "flow/volume_balance"),
     ("compressibility in the implicit system", IMPLICIT, "each + fluid_.room()[d] / law_", "each + 1.05 * fluid_.room()[d] / law_", "flow/flow_in_chains"),
     ("flow in the implicit system", IMPLICIT, "flow_.push_back(dt *", "flow_.push_back(1.05 * dt *", "flow/flow_in_chains"),
+    ("outlook of the implicit scheme", IMPLICIT, "residual_[d] -= c.steps *", "residual_[d] -= 0 * c.steps *", "physics/flow_schemes"),
     ("implicit step that does not converge", IMPLICIT, "shorter = 0.5", "shorter = 1", "flow/volume_balance"),
     ("empty domains of the implicit scheme", IMPLICIT, "if (!is_empty(d)) missing", "missing", "flow/volume_balance"),
     ("saved state without the fluid step", IMPLICIT, "archive(fluid_, pressure_, dt_)", "archive(fluid_, pressure_)", "flow/same_bits"),
