@@ -13,6 +13,7 @@ namespace hfdem::support {
 /// @param fluid " of a fluid of 100 cp", or nothing
 inline std::string described(const Injection& injection, const std::string& fluid) {
   std::string text = in_words(injection.rate * 1e4) + " × 10^{-4} m²/s" + fluid + " injected";
+  if (injection.rise > 0) text += ", after a rise of " + in_words(injection.rise) + " s";
   if (!injection.schedule.empty()) text += " at first, then by a schedule";
   if (!injection.further_points.empty())
     text += " through " + std::to_string(1 + injection.further_points.size()) + " points";
@@ -27,7 +28,7 @@ inline std::string described(const Injection& injection, const std::string& flui
 /// @param time since it began, s
 inline analytic::KgdFracture toughness_vertex(double E_prime, double K_IC,
                                               const Injection& injection, double time) {
-  if (injection.schedule.empty())
+  if (injection.schedule.empty() && injection.rise == 0)
     return analytic::toughness_vertex(E_prime, K_IC, injection.rate, time);
   const double volume = InjectionRate(injection).volume(0, time);
   if (!(volume > 0)) return {};
@@ -38,6 +39,7 @@ inline analytic::KgdFracture toughness_vertex(double E_prime, double K_IC,
 /// @throws InvalidParameter if the rate changes or is shared by several points
 inline void check_predictable(const Injection& injection) {
   const std::string allowed = "left out: the prediction is for one point and a constant rate";
+  if (injection.rise > 0) refuse("injection", "rise", to_text(injection.rise) + " s", allowed);
   if (!injection.schedule.empty())
     refuse("injection", "schedule", to_text(injection.schedule), allowed);
   if (!injection.further_points.empty())

@@ -31,8 +31,8 @@ struct Readings {
     using P = Readings;
     return std::tuple{
         Field{"breakdown_from", &P::breakdown_from, "s", non_negative,
-              "the breakdown pressure is the highest from this time on: after a viscous fluid has "
-              "filled the preset crack"},
+              "the breakdown pressure is the highest from this time on: once the pump has come to "
+              "its rate"},
         Field{"propagation_from", &P::propagation_from, "s", non_negative,
               "the propagation pressure is the mean injection pressure from this time on"},
         Field{"propagation_to", &P::propagation_to, "s", positive, "and up to this time"}};
@@ -83,7 +83,10 @@ struct RockRunSections {
     const bool viscous = name.find('1') < name.find('-');
     simulator.in_situ = {.xx = 10e6, .yy = name.ends_with("S2") ? 15e6 : 12e6};
     simulator.fluid.viscosity = viscous ? 0.1 : 6e-5;
-    readings.breakdown_from = viscous ? 0.02 : 0;
+    // A viscous fluid finds no way at once through a crack that is pressed shut: at the full rate
+    // it would burst the rock around the injection on all sides.
+    simulator.injection.rise = viscous ? 0.05 : 0;
+    readings.breakdown_from = simulator.injection.rise;
   }
 
   /// A set of choices, found by trial, that lands on the numbers that the paper prints.

@@ -131,7 +131,7 @@ class Simulator {
   }
 
   /// Changes the injection rate, m2/s, from the next step on; zero shuts the well in. What is left
-  /// of `injection.schedule` no longer counts.
+  /// of `injection.schedule` and of `injection.rise` no longer counts.
   /// @throws InvalidParameter if the rate is negative or not finite
   void inject(double rate) {
     detail::check_range("injection", "rate", "m2/s", non_negative, rate);

@@ -128,7 +128,8 @@ class ToughnessTest(unittest.TestCase):
         self.assertIn("injection.position is not the middle", done.stdout)
 
     def test_kgd_predicts_nothing_for_changing_rates_and_several_points(self):
-        for setting in ("injection.schedule=[[0.01, 0]]", "injection.further_points=[[0.1, 0.2]]"):
+        for setting in ("injection.schedule=[[0.01, 0]]", "injection.rise=0.01",
+                        "injection.further_points=[[0.1, 0.2]]"):
             done = self.run_program(KGD, "--quick", "--toughness", str(SHIPPED), "--set", setting,
                                     "--set", "run.end_time=0.02", out="other")
             self.assertIn("no prediction from slits: " + setting.split("=")[0], done.stdout)

@@ -108,6 +108,24 @@ TEST_CASE("the injected volume is the integral of the scheduled rate, also withi
   }
 }
 
+TEST_CASE("the pump comes to its rate, and to what is planned meanwhile, linearly") {
+  const Injection plan{
+      .rate = rate, .rise = 8.5e-4, .schedule = {{2.5e-4, 5e-4}, {4.1e-4, 9e-4}, {12e-4, 1e-4}}};
+  Listened sim(test::square(10), {.injection = plan});
+  // The middle of slices within which nothing changes: exact for a rate that is linear.
+  constexpr double slice = 1e-6;
+  double volume = 0;
+  for (int n = 1; n <= 1500; ++n) {
+    const double time = (n - 0.5) * slice;
+    const double planned = time < 2.5e-4 ? rate : time < 4.1e-4 ? 5e-4 : time < 12e-4 ? 9e-4 : 1e-4;
+    volume += slice * planned * std::fmin(1, time / 8.5e-4);
+    if (n % 100 != 0) continue;
+    sim.step();
+    CAPTURE(n);
+    CHECK(sim.injected_volume() == near(volume, 1e-12));
+  }
+}
+
 TEST_CASE("a change at the very beginning takes the place of the rate") {
   Listened sim(test::square(10), {.injection = {.rate = rate, .schedule = {{0, 0}, {3e-4, rate}}}});
   for (int n = 0; n < 3; ++n) sim.step();
@@ -117,12 +135,17 @@ TEST_CASE("a change at the very beginning takes the place of the rate") {
 }
 
 TEST_CASE("the host's rate holds from then on, whatever was planned") {
-  Listened sim(test::square(10),
-               {.injection = {.rate = rate, .schedule = {{1e-4, 3 * rate}, {4e-4, 0}}}});
+  Listened sim(
+      test::square(10),
+      {.injection = {.rate = rate, .rise = 1e-4, .schedule = {{1e-4, 3 * rate}, {4e-4, 0}}}});
   for (int n = 0; n < 3; ++n) sim.step();
   sim.inject(2 * rate);
   for (int n = 0; n < 5; ++n) sim.step();
-  CHECK(sim.injected_volume() == near((1 + 2 * 3 + 5 * 2) * 1e-4 * rate, 1e-13));
+  CHECK(sim.injected_volume() == near((0.5 + 2 * 3 + 5 * 2) * 1e-4 * rate, 1e-13));
+  Listened rising(test::square(10), {.injection = {.rate = rate, .rise = 1}});
+  rising.inject(rate);
+  rising.step();
+  CHECK(rising.injected_volume() == near(1e-4 * rate, 1e-13));
 }
 
 TEST_CASE("a change that is yet to come changes nothing") {
@@ -202,6 +225,8 @@ TEST_CASE("a schedule that cannot be meant is refused by its entry") {
   CHECK(refusal({.schedule = {{0.1, 1e-4}, {0.2, 0}, {0.15, 0}}}) ==
         "injection.schedule, entry 3, time = 0.15 s is not allowed: it must be greater than 0.2 s, "
         "that of the entry before");
+  CHECK(refusal({.rise = -0.1}) ==
+        "injection.rise = -0.1 s is not allowed: it must be at least 0 s");
   CHECK(refusal({.schedule = {{-0.1, 1e-4}}}) ==
         "injection.schedule, entry 1, time = -0.1 s is not allowed: it must be at least 0 s");
   CHECK(refusal({.schedule = {{0.1, 1e-4}, {0.2, -1e-4}}}) ==

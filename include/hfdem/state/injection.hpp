@@ -1,7 +1,9 @@
 /// @file
-/// Where fluid is injected, and how fast: at a constant rate, or by a schedule of rates.
+/// Where fluid is injected, and how fast: at a constant rate, or by a schedule of rates, and how
+/// the pump comes to it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <tuple>
@@ -32,7 +34,8 @@ struct RateChange {
 /// injection" is measured from the first point.
 struct Injection {
   double rate = 0.5e-4;
-  std::optional<Vec2> position{};      ///< the middle of the specimen if not given
+  std::optional<Vec2> position{};  ///< the middle of the specimen if not given
+  double rise = 0;
   std::vector<RateChange> schedule{};  ///< by increasing time; none if `rate` stays
   std::vector<Vec2> further_points{};  ///< beside `position`
 
@@ -42,6 +45,8 @@ struct Injection {
         Field{"rate", &P::rate, "m2/s", positive, "injection rate per m of thickness"},
         Field{"position", &P::position, "m", any_number,
               "where; the flow domain with the nearest centre receives the fluid"},
+        Field{"rise", &P::rise, "s", non_negative,
+              "the pump needs this long: until then the rate is what is planned, times t / rise"},
         Field{"schedule", &P::schedule, "s, m2/s", any_number,
               "[time, rate] from which on the rate is another; zero shuts the well in"},
         Field{"further_points", &P::further_points, "m", any_number,
@@ -63,7 +68,7 @@ class InjectionRate {
  public:
   /// @param planned validated
   explicit InjectionRate(const Injection& planned)
-      : rate_(planned.rate), changes_(planned.schedule) {}
+      : rate_(planned.rate), rise_(planned.rise), changes_(planned.schedule) {}
 
   /// Fluid injected in a step, m2 per m of thickness: the exact integral of the rate, whatever
   /// changes within the step.
@@ -75,26 +80,35 @@ class InjectionRate {
     for (const RateChange& change : changes_) {
       if (change.time >= end) break;
       if (change.time > from) {
-        volume += rate * (change.time - from);
+        volume += constant(rate, from, change.time);
         from = change.time;
       }
       rate = change.rate;
     }
     // A constant rate takes the step as it is: end - time is rounded.
-    return from == time ? rate * dt : volume + rate * (end - from);
+    if (from == time && time >= rise_) return rate * dt;
+    return volume + constant(rate, from, end);
   }
 
   /// Keeps one rate from now on, m2/s, whatever was planned.
   void hold(double rate) {
     rate_ = rate;
+    rise_ = 0;
     changes_.clear();
   }
 
   /// What is planned for the rest of the run.
-  void exchange(auto& archive) { archive(rate_, changes_); }
+  void exchange(auto& archive) { archive(rate_, rise_, changes_); }
 
  private:
-  double rate_;
+  /// Injected from one time to another while one rate is planned, m2.
+  double constant(double rate, double from, double to) const {
+    const double risen = std::clamp(rise_, from, to);
+    const double slow = risen > from ? (risen - from) * (risen + from) / (2 * rise_) : 0;
+    return rate * (slow + (to - risen));
+  }
+
+  double rate_, rise_;
   std::vector<RateChange> changes_;
 };
 
