@@ -124,11 +124,12 @@ TEST_CASE("what was changed during the run stays changed") {
       [](Rock<hfdem::HeldPressure>& sim) { sim.pressure_scheme().hold(13e6); });
 }
 
-TEST_CASE("a schedule goes on where it was, and stays forgotten once the host has steered") {
+TEST_CASE("a rise and a schedule go on where they were, and stay forgotten once the host has steered") {
   // The run is saved after 1.2 ms, its two pieces end at 1.8 and 2.4 ms.
   const Injected::Params params{
       .injection = {.rate = 1e-4,
                     .position = hfdem::Vec2{10 * test::radius, 16 * test::radius},
+                    .rise = 1.5e-3,
                     .schedule = {{0.55e-3, 9e-4}, {1.55e-3, 2e-4}, {2.05e-3, 0}},
                     .further_points = {{22 * test::radius, 16 * test::radius}}}};
   const auto rise = [](Injected& sim) { CHECK(sim.injected_volume() > 1.1 * 1.2e-3 * 1e-4); };
