@@ -15,6 +15,7 @@
 #include "support/kgd_figures.hpp"
 #include "support/prediction_results.hpp"
 #include "support/run_report.hpp"
+#include "support/schemes.hpp"
 
 namespace hfdem::support {
 
@@ -140,11 +141,14 @@ class KgdReport {
     row("net pressure", sim.injection_pressure() - o.far_field, o.kgd.net_pressure, NAN,
         megapascals);
     page_.table(table);
-    page_.text("KGD is the toughness-dominated fracture in an infinite plane, for E' = " +
+    page_.text("KGD is the " + std::string(flows<Sim> ? "" : "toughness-dominated ") +
+               "fracture in an infinite plane, for E' = " +
                said(Verification::E_prime, "Pa").both() + " and K_{IC} = " +
                in_words(Verification::K_IC / 1e6) +
-               " MPa·m^{1/2}, which the paper fitted to the length of its own crack. That lengths "
-               "and widths agree with it is therefore a weak statement.");
+               " MPa·m^{1/2}, which the paper fitted to the length of its own crack." +
+               (flows<Sim> ? ""
+                           : " That lengths and widths agree with it is therefore a weak "
+                             "statement."));
     page_.text(paper ? "The paper prints " + metres(Verification::kgd_full_length) + " and " +
                            micrometres(Verification::kgd_aperture) + " for the KGD solution."
                      : "The paper's own results hold for its specimen at 0.9 s, not for this run.");

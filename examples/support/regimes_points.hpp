@@ -76,7 +76,7 @@ inline RegimePoint regime_point(const RegimesConfig& config, std::size_t number,
   std::replace(point.name.begin(), point.name.end(), '_', ' ');
   if (!ours.stopped.empty()) return point;
   const auto reference = [&](ToughnessAt at) {
-    return regime_reference(rock, c.viscosity, c.rate, ours.time, ours.half_length, point.disc, at);
+    return regime_reference(rock, c.viscosity, c.rate, ours.time, point.disc, at);
   };
   point.reference = reference(ToughnessAt::tip);
   point.mean_toughness = reference(ToughnessAt::mean);

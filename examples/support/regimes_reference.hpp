@@ -51,17 +51,16 @@ struct RegimeReference {
 /// @param viscosity Pa s
 /// @param rate m2/s
 /// @param time s
-/// @param half_length of the crack that is compared, m
 /// @param disc diameter, m
 /// @param at where the toughness is that of the pressure
 /// @throws InvalidParameter if a number is out of range
 inline RegimeReference regime_reference(const analytic::LatticeFracture& rock, double viscosity,
-                                        double rate, double time, double half_length, double disc,
+                                        double rate, double time, double disc,
                                         ToughnessAt at = ToughnessAt::tip) {
   RegimeReference r{.problem = {.E_prime = rock.E_prime,
                                 .K_IC = rock.K_IC,
                                 .viscosity = viscosity,
-                                .rate = rate + 2 * half_length * rock.volume_offset / time,
+                                .rate = rate,
                                 .time = time}};
   const auto pressure = [&] {
     const auto& f = r.fracture;
@@ -72,6 +71,7 @@ inline RegimeReference regime_reference(const analytic::LatticeFracture& rock, d
   for (int round = 0; round < 30; ++round) {
     r.fracture = analytic::general_kgd(r.problem);
     r.toughness_pressure = pressure();
+    r.problem.rate = rate + 2 * r.fracture.half_length * rock.volume_offset / time;
     // Half the way: pressure falls while toughness grows.
     r.problem.K_IC += (std::fmax(0, rock.toughness(r.toughness_pressure)) - r.problem.K_IC) / 2;
   }

@@ -45,7 +45,7 @@ template <class Pressure>
 constexpr auto cases_of(std::array<std::string_view, 2> slick,
                         std::array<std::string_view, 2> viscous) {
   if constexpr (FlowScheme<Pressure>)
-    return std::array{viscous[0], viscous[1], slick[0], slick[1]};
+    return std::array{slick[0], slick[1], viscous[0], viscous[1]};
   else
     return slick;
 }

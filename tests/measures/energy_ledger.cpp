@@ -5,6 +5,7 @@
 
 #include <hfdem/measure/energy_ledger.hpp>
 #include <hfdem/neighbours/cell_grid.hpp>
+#include <hfdem/pressure/conventional.hpp>
 #include <hfdem/setup/random_packing.hpp>
 
 #include <doctest/doctest.h>
@@ -146,6 +147,22 @@ TEST_CASE("the books of an injected square array close, through its breaks") {
   CHECK(ledger.worst_relative_error() < 1e-9);
   check_that_all_matter(ledger.entries(), ledger.work_done());
   CHECK(std::abs(ledger.entries().kinetic) > 1e-6 * ledger.work_done());
+}
+
+TEST_CASE("the books close where a stiff fluid changes the mechanical step") {
+  test::SquareRock<hfdem::ConventionalFlow<>> sim(
+      test::square(20), {.injection = {.rate = 1e-3}, .fluid = {.viscosity = 1e-3}});
+  Ledger ledger;
+  int changes = 0;
+  double dt = sim.mechanical_dt();
+  while (sim.mechanical_steps() < 2000) {
+    sim.step(ledger);
+    changes += sim.mechanical_dt() != dt;
+    dt = sim.mechanical_dt();
+  }
+  CHECK(changes > 3);
+  CHECK(sim.breaks().size() >= 2);
+  CHECK(ledger.worst_relative_error() < 1e-9);
 }
 
 TEST_CASE("the books of a random specimen close, through breaks, slip and closing again") {

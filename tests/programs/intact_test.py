@@ -146,8 +146,10 @@ class IntactTest(unittest.TestCase):
         self.succeed("--config", str(self.path("1-S1") / "config.toml"), out="again")
         self.check_same_results("1-S1", "again")
         self.refuse("--case", "1-S1", "--scheme", "uniform", words=["1-S1", "viscous", "implicit"])
-        self.succeed("--case", "2-S1", "--scheme", "implicit", *SHORT, out="flows")
+        self.succeed("--scheme", "implicit", *SHORT, out="flows")  # of the usual case
         self.assertEqual(self.config("flows")["fluid"]["viscosity"], 6e-5)
+        self.assertEqual(self.config("1-S1")["injection"]["rise"], 0.05)
+        self.assertEqual(self.config("flows")["injection"]["rise"], 0)
 
     def test_the_preset_of_the_paper_is_what_it_says(self):
         self.succeed("--preset", "paper", *SHORT, out="preset")

@@ -268,7 +268,7 @@ class ReportTest(unittest.TestCase):
             self.assertEqual(words, value.strip('"'))
             return
         shown = float(re.sub(r" × 10(-?\d+)$", r"e\1", words)) * UNITS.get(unit, 1)
-        self.assertAlmostEqual(shown / wanted, 1, delta=1e-9)
+        self.assertAlmostEqual(shown, wanted, delta=1e-9 * abs(wanted))
 
     def test_a_place_and_what_else_is_set_are_shown(self):
         page = self.run_kgd("set", "--quick", "--set", "injection.position=[0.15, 0.25]",

@@ -61,7 +61,9 @@ struct ContactInstant {
 template <class Law>
 struct EnergyInstant {
   long step = 0;                       ///< mechanical steps made before
-  double kinetic = 0;                  ///< kinetic energy, J per m
+  double dt = 0;                       ///< mechanical step that follows, s
+  double moving = 0;                   ///< sum of m v^2 / 2 half a step before, J per m
+  double pushed = 0;                   ///< sum of v F / 2, W per m: kinetic = moving + dt pushed
   std::vector<Pack> place;             ///< displacements of discs and platens
   std::vector<Pack> damped;            ///< per disc: what damping takes from the resultant
   std::vector<Vec2> fluid;             ///< per disc: force of the fluid, N per m
@@ -72,8 +74,8 @@ struct EnergyInstant {
 
   /// All of it.
   void exchange(auto& archive) {
-    archive(step, kinetic, place, damped, fluid, std::span<Pack>(platen_force), contacts, joints,
-            platens);
+    archive(step, dt, moving, pushed, place, damped, fluid, std::span<Pack>(platen_force), contacts,
+            joints, platens);
   }
 };
 
@@ -137,7 +139,8 @@ class EnergyLedger {
     now_.place = discs.displacement;
     now_.damped.resize(discs.size());
     now_.fluid.resize(discs.size());
-    now_.kinetic = 0;
+    now_.dt = sim.mechanical_dt();
+    now_.moving = now_.pushed = 0;
     for (Index i = 0; i < discs.size(); ++i) {
       const Pack force =
           with_whole_torque(sim.forces().total(i) + Pack{discs.load[i].x, discs.load[i].y, 0, 0});
@@ -145,9 +148,8 @@ class EnergyLedger {
       const double m = discs.mass[i];
       now_.damped[i] = local_damping(sim.params().mechanics.damping, force, velocity);
       now_.fluid[i] = sim.network().force_on(i);
-      const Pack next = velocity * Pack{m, m, discs.inertia(i), 0} +
-                        sim.mechanical_dt() * (force - now_.damped[i]);
-      now_.kinetic += 0.5 * product(velocity, next);  // m v_n-1/2 v_n+1/2 / 2
+      now_.moving += 0.5 * product(velocity, velocity * Pack{m, m, discs.inertia(i), 0});
+      now_.pushed += 0.5 * product(velocity, force - now_.damped[i]);
     }
     for (std::size_t p = 0; p < all_sides.size(); ++p)
       now_.platen_force[p] = sim.forces().total(discs.platen(all_sides[p]));
@@ -194,7 +196,9 @@ class EnergyLedger {
       const Pack on_platen = 0.5 * (before_.platen_force[p] + now_.platen_force[p]);
       entries_.boundary -= product(on_platen, now_.place[body] - before_.place[body]);
     }
-    entries_.kinetic += now_.kinetic - before_.kinetic;
+    // m v_n-1/2 v_n+1/2 / 2, at both ends with the step between them: where the mechanical step
+    // changes, the kinetic energy of that instant has two readings.
+    entries_.kinetic += now_.moving - before_.moving + before_.dt * (now_.pushed - before_.pushed);
   }
 
   /// A contact whose bond broke in this step is taken as broken since its beginning, but for the

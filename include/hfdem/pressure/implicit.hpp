@@ -20,8 +20,8 @@
 /// between 0.05 and 0.15 the search is shortest. Until then rooms go on changing as they do: the
 /// right side is what r will be after T steps at the rate of the last one. Without that, pressure
 /// turns for ever beside grains that hardly anything holds. Model and outlook guide the search
-/// alone: what counts is r, and the balance of forces. Domains at the least pressure that are not full stay out of the system
-/// (pressure/flow_system.hpp).
+/// alone: what counts is r, and the balance of forces. Domains at the least pressure that are not
+/// full stay out of the system (pressure/flow_system.hpp).
 #pragma once
 
 #include <cmath>
@@ -61,7 +61,8 @@ class ImplicitFlow {
           Field{"fluid_dt", &P::fluid_dt, "s", positive,
                 "longest fluid time step; shorter where one does not converge"},
           Field{"volume_tolerance", &P::volume_tolerance, "", Range{0, 1, true},
-                "largest volume without its room at the end of a fluid step, over that injected"},
+                "largest volume without its room at the end of a fluid step, over that injected, "
+                "or over that of the unloaded crack if that is more"},
           Field{"unbalanced_tolerance", &P::unbalanced_tolerance, "", positive,
                 "largest resultant on a disc over the mean contact force at equilibrium"},
           Field{"max_mechanical_steps", &P::max_mechanical_steps, "", Range{1},
@@ -100,8 +101,8 @@ class ImplicitFlow {
       take_stock(network, injected.dt);
       ++step.mechanical_steps;
       step.unbalanced_ratio = relaxed.unbalanced_ratio;
-      const double wanted = injected.total > 0 ? injected.total : network.rest_volume();
-      step.volume_error = missing_room() / wanted;
+      // At the very beginning next to nothing has been injected into a crack that is full already.
+      step.volume_error = missing_room() / max(injected.total, network.rest_volume());
       step.converged = step.volume_error <= params_.volume_tolerance &&
                        relaxed.unbalanced_ratio < params_.unbalanced_tolerance;
     } while (!step.converged && step.mechanical_steps < params_.max_mechanical_steps);
@@ -161,9 +162,11 @@ class ImplicitFlow {
       residual_[d] -= fluid_.room()[d] * law_.filling(pressure_[d]);
   }
 
-  /// Not full at the least pressure, nor about to be.
+  /// Not full at the least pressure, nor about to be. Full to the last digits is full: or pressure
+  /// would reach one more domain of a full crack in each Newton step.
   bool is_empty(std::size_t d) const {
-    return pressure_[d] <= params_.pressure_floor && residual_[d] <= 0;
+    constexpr double last_digits = 1e-12;
+    return pressure_[d] <= params_.pressure_floor && residual_[d] < -last_digits * fluid_.room()[d];
   }
 
   /// What the rooms hold too much or too little, m2.

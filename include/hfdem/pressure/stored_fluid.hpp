@@ -22,6 +22,9 @@ struct WetChannel {
   Index channel;        ///< of the network
   Index first, second;  ///< its domains, by the order in which they turned wet
   double length;        ///< l_p, m
+
+  /// All of it.
+  void exchange(auto& archive) { archive(channel, first, second, length); }
 };
 
 /// The stored volumes S, as volumes at zero pressure.
@@ -42,6 +45,7 @@ class StoredFluid {
       const Index c = wet[seen_];
       const auto& [ends, measured] = network.geometry().channels[c];
       if (ends[0] == nothing || ends[1] == nothing) continue;  // on the rim: the run is at its end
+      if (ends[0] == ends[1]) continue;  // leads nowhere, as beside a disc with a single contact
       const double length = without_last_digits(measured);
       channels_.push_back({c, place_[ends[0]], place_[ends[1]], length});
       const double filled = min(network.filled_width(c), network.width(c));
@@ -54,20 +58,20 @@ class StoredFluid {
   }
 
   /// Finds the room of each domain, V_d, from the present widths.
-  void find_room(const Network& network) {
-    room_.assign(stored_.size(), 0);
-    for (const auto& [c, first, second, length] : channels_) {
-      const double half = length * network.width(c) / 2;
-      room_[first] += half;
-      room_[second] += half;
-    }
-  }
+  void find_room(const Network& network) { find_room(network, room_); }
 
   /// Shares out what is injected among the domains that receive it, which were wet first.
   /// @param volume that is injected, m2
   /// @param points how many domains these are
   void inject(double volume, std::size_t points) {
-    for (std::size_t d = 0; d < points; ++d) stored_[d] += volume / static_cast<double>(points);
+    rounded_off_.resize(points, 0);
+    for (std::size_t d = 0; d < points; ++d) {
+      // A small volume many times to a large one is rounded the same way many times.
+      const double before = stored_[d];
+      const double more = volume / static_cast<double>(points) + rounded_off_[d];
+      stored_[d] += more;
+      rounded_off_[d] = more - (stored_[d] - before);
+    }
   }
 
   std::span<const WetChannel> channels() const { return channels_; }  ///< that are wet
@@ -78,7 +82,7 @@ class StoredFluid {
   /// Half the length of the wet channels around each wet domain, m.
   std::span<const double> half_length() const { return half_length_; }
 
-  /// The ledger.
+  /// The ledger, without channels that have turned wet since the last `join`.
   /// @param network with widths and pressures
   /// @param injected so far, m2
   /// @param law of the fluid
@@ -86,11 +90,14 @@ class StoredFluid {
   template <class Fluid>
   VolumeBalance balance(const Network& network, double injected, const Fluid& law,
                         double floor) const {
-    VolumeBalance b{.injected = injected, .initial = network.filled_volume()};
+    VolumeBalance b{.injected = injected};
+    for (const WetChannel& c : channels_) b.initial += c.length * network.filled_width(c.channel);
+    std::vector<double> room;
+    find_room(network, room);
     const auto domains = network.wet_domains();
     for (std::size_t d = 0; d < stored_.size(); ++d) {
       const double pressure = network.pressure(domains[d]);
-      const double holds = network.domain_volume(domains[d]) * law.filling(pressure);
+      const double holds = room[d] * law.filling(pressure);
       b.stored += holds;
       const double excess = stored_[d] - holds;
       (excess < 0 && pressure <= floor ? b.empty -= excess : b.unmet += excess);
@@ -99,9 +106,20 @@ class StoredFluid {
   }
 
   /// Everything: what is stored, and in which order domains turned wet.
-  void exchange(auto& archive) { archive(place_, stored_, room_, half_length_, channels_, seen_); }
+  void exchange(auto& archive) {
+    archive(place_, stored_, rounded_off_, room_, half_length_, channels_, seen_);
+  }
 
  private:
+  void find_room(const Network& network, std::vector<double>& room) const {
+    room.assign(stored_.size(), 0);
+    for (const auto& [c, first, second, length] : channels_) {
+      const double half = length * network.width(c) / 2;
+      room[first] += half;
+      room[second] += half;
+    }
+  }
+
   /// Mirror images of a channel lie at other coordinates, from which its length was rounded.
   static double without_last_digits(double length) {
     constexpr double femtometres = 1e15;
@@ -110,6 +128,7 @@ class StoredFluid {
 
   std::vector<Index> place_;  // of each domain of the network among the wet ones
   std::vector<double> stored_, room_, half_length_;
+  std::vector<double> rounded_off_;  // of each domain that receives the injection, m2
   std::vector<WetChannel> channels_;
   std::size_t seen_ = 0;  // of the network's wet channels
 };
