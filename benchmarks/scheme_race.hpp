@@ -104,9 +104,11 @@ class SchemeRace {
     std::printf("| %s | %s | %.4g | %s | %s |", fluid.c_str(), scheme.c_str(), wall,
                 ratio(wall, paper_).c_str(), ratio(wall, equilibrium_).c_str());
   }
+  /// Nothing where the reference has yet to be run.
   static std::string ratio(double wall, double reference) {
+    if (reference == 0) return "";
     char text[32];
-    std::snprintf(text, sizeof text, "%.3g", reference > 0 ? wall / reference : 1.0);
+    std::snprintf(text, sizeof text, "%.3g", wall / reference);
     return text;
   }
 
