@@ -76,7 +76,7 @@ class RegimesTest(unittest.TestCase):
             self.assertAlmostEqual(crack["K_IC_Pa_sqrt_m"] / K, 1, places=5)
             K_prime = 4 * math.sqrt(2 / math.pi) * K
             volume = (crack["rate_m2_per_s"] * crack["time_s"] +
-                      2 * crack["half_length_m"] * rock["volume_offset"])
+                      2 * crack["kgd_half_length_m"] * rock["volume_offset"])
             K_m = (K_prime ** 4 / (12 * crack["viscosity_Pa_s"] * rock["E_prime"] ** 3 *
                                    volume / crack["time_s"])) ** 0.25
             self.assertAlmostEqual(crack["K_m"] / K_m, 1, places=5)
