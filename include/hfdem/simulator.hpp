@@ -167,8 +167,8 @@ class Simulator {
   std::span<const BondBreak> breaks() const { return breaks_; }
   std::span<const Index> preset_contacts() const { return preset_; }  ///< cut before the run
   double injected_volume() const { return injected_; }                ///< V_f, m2
-  /// Where the fluid is; only with a scheme that keeps account of it. After a step that threw it may
-  /// lack what that step injected.
+  /// Where the fluid is; only with a scheme that keeps account of it. After a step that threw it
+  /// may lack what that step injected.
   template <BalancesVolume = Pressure>
   VolumeBalance volume_balance() const {
     return pressure_.balance(network_, injected_ + rounded_off_);
