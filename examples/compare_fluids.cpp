@@ -62,9 +62,8 @@ std::string_view verdict(const measure::SampleMean& change, int paper) {
 
 void print(const SeedsTable& viscous, const SeedsTable& slick) {
   std::printf(
-      "Means over the rocks in which both cracks are still inside at that time; pressure drop and\n"
-      "microcracks are those at the end of each run, and the breakdown pressure is the highest "
-      "after\n"
+      "Means over the rocks in which both cracks are still inside at that time. Pressure drop and\n"
+      "microcracks are those at the end of each run, the breakdown pressure is the highest once\n"
       "the pump has come to its rate. The change is that of each rock, with the 95 %% interval of\n"
       "Student's t.\n\n"
       "| | viscous | slick | change | 95 %% | rocks | |\n|---|---|---|---|---|---|---|\n");

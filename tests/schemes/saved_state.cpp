@@ -124,7 +124,7 @@ TEST_CASE("what was changed during the run stays changed") {
       [](Rock<hfdem::HeldPressure>& sim) { sim.pressure_scheme().hold(13e6); });
 }
 
-TEST_CASE("a rise and a schedule go on where they were, and stay forgotten once the host has steered") {
+TEST_CASE("rise and schedule go on where they were, and stay forgotten once the host has steered") {
   // The run is saved after 1.2 ms, its two pieces end at 1.8 and 2.4 ms.
   const Injected::Params params{
       .injection = {.rate = 1e-4,

@@ -16,12 +16,12 @@
 ///
 ///   C = c_u 1 1^T + c_l I,  c_l = 8 l_p^2 / E',  1^T C 1 = 2 pi a^2 / E'.
 ///
-/// The rock answers when a wave has run along the crack; T is 0.1 of the steps which that takes,
-/// between 0.05 and 0.15 the search is shortest. Until then rooms go on changing as they do: the
-/// right side is what r will be after T steps at the rate of the last one. Without that, pressure
-/// turns for ever beside grains that hardly anything holds. Model and outlook guide the search
-/// alone: what counts is r, and the balance of forces. Domains at the least pressure that are not
-/// full stay out of the system (pressure/flow_system.hpp).
+/// The rock answers when a wave has run along the crack; T is 0.1 of the steps which that takes.
+/// Until then rooms go on changing as they do: the right side is what r will be after T steps at
+/// the rate of the last one. Without that, pressure turns for ever beside grains that hardly
+/// anything holds; beside a short crack, where T is small, a loose grain can still hold it up.
+/// Model and outlook guide the search alone: what counts is r, and the balance of forces. Domains
+/// at the least pressure that are not full stay out of the system (pressure/flow_system.hpp).
 #pragma once
 
 #include <cmath>
