@@ -16,14 +16,16 @@
 ///
 ///   C = c_u 1 1^T + c_l I,  c_l = 8 l_p^2 / E',  1^T C 1 = 2 pi a^2 / E'.
 ///
-/// The rock answers when a wave has run along the crack; T is 0.1 of the steps which that takes.
-/// Until then rooms go on changing as they do: the right side is what r will be after T steps at
-/// the rate of the last one. Without that, pressure turns for ever beside grains that hardly
-/// anything holds; beside a short crack, where T is small, a loose grain can still hold it up.
+/// a being half the length of what is full. The rock answers when a wave has run along the crack;
+/// T is 0.1 of the steps which that takes. Until then rooms go on changing as they do: the right
+/// side is what r will be after some steps at the rate of the last one, T of them and a tenth of
+/// those made so far. Without that, pressure turns for ever beside grains that hardly anything
+/// holds: a pressure that only sums up r pushes a quarter of a turn late.
 /// Model and outlook guide the search alone: what counts is r, and the balance of forces. Domains
 /// at the least pressure that are not full stay out of the system (pressure/flow_system.hpp).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -93,7 +95,7 @@ class ImplicitFlow {
     room_before_.clear();
     FluidStep step;
     do {
-      solve(injected.dt);
+      solve(injected.dt, step.mechanical_steps);
       publish(network);
       room_before_.assign(fluid_.room().begin(), fluid_.room().end());
       const Relaxed relaxed = relax();
@@ -182,33 +184,38 @@ class ImplicitFlow {
     double steps;           ///< T
     double together, each;  ///< T c_u and T c_l, m2/Pa
   };
-  Answer answer(double full) const {
+  Answer answer() const {
     if (std::isinf(rock_.modulus)) return {0, 0, 0};
-    double length = 0, squares = 0;
-    for (const WetChannel& c : fluid_.channels()) {
-      length += c.length;
-      squares += c.length * c.length;
+    // Only what is full pushes the rock: a crack that long.
+    double length = 0, squares = 0, full = 0;
+    for (std::size_t d = 0; d < full_.size(); ++d) {
+      if (!full_[d]) continue;
+      length += fluid_.half_length()[d];
+      squares += fluid_.half_length()[d] * fluid_.half_length()[d];
+      ++full;
     }
     const double half = length / 2;
     const double steps = max(2.0, 0.1 * std::numbers::pi * half / (2 * rock_.wave_step));
-    const double each = 8 * squares / static_cast<double>(fluid_.channels().size()) / rock_.modulus;
+    const double each = 8 * squares / full / rock_.modulus;
     const double whole = 2 * std::numbers::pi * half * half / rock_.modulus;
     return {steps, steps * max(0.0, whole - full * each) / (full * full), steps * each};
   }
 
-  void solve(double dt) {
+  /// One step of Newton's method.
+  /// @param dt of the fluid step, s
+  /// @param made mechanical steps in this fluid step so far
+  void solve(double dt, int made) {
     full_.assign(fluid_.size(), false);
-    double count = 0;
-    for (std::size_t d = 0; d < full_.size(); ++d)
-      if (!is_empty(d)) full_[d] = true, ++count;
-    if (count == 0) return;
-    const Answer c = answer(count);
+    for (std::size_t d = 0; d < full_.size(); ++d) full_[d] = !is_empty(d);
+    if (std::find(full_.begin(), full_.end(), true) == full_.end()) return;
+    const Answer c = answer();
     own_.clear(), flow_.clear();
     for (std::size_t d = 0; d < pressure_.size(); ++d)
       own_.push_back(c.each + fluid_.room()[d] / law_.modulus(pressure_[d]));
     for (const double conductance : conductance_) flow_.push_back(dt * conductance);
+    const double ahead = c.steps + made / 10.0;
     for (std::size_t d = 0; d < room_before_.size(); ++d)
-      residual_[d] -= c.steps * (fluid_.room()[d] - room_before_[d]);
+      residual_[d] -= ahead * (fluid_.room()[d] - room_before_[d]);
     system_.add_solution(fluid_, {own_, flow_, c.together}, residual_, full_, pressure_);
     for (double& p : pressure_) p = max(params_.pressure_floor, p);
   }
