@@ -75,9 +75,10 @@ class Simulator {
     injected_ += injected;
     rounded_off_ += injected - (injected_ - before);
     ++fluid_steps_;
-    if (mechanical_steps_ >= mean_contact_force_until_) {
+    if (mechanical_steps_ >= measured_until_) {
       mean_contact_force_ = mean_contact_force();
-      mean_contact_force_until_ = mechanical_steps_ + mean_contact_force_lifetime;
+      if constexpr (FlowsThroughRock<Pressure>) measure_intact_channels();
+      measured_until_ = mechanical_steps_ + lifetime_of_measurements;
     }
     const FluidStep result = pressure_.advance(network_, Injected{injected_, injected, dt},
                                                [&] { return relax(false, observers...); });
@@ -208,8 +209,7 @@ class Simulator {
   /// Everything that evolves; the number of threads is no part of it.
   void exchange(auto& archive) {
     archive(assembly_, pressure_, network_, breaks_, time_, injected_, rounded_off_, rate_,
-            mean_contact_force_, mechanical_steps_, settling_steps_, fluid_steps_,
-            mean_contact_force_until_);
+            mean_contact_force_, mechanical_steps_, settling_steps_, fluid_steps_, measured_until_);
   }
 
  private:
@@ -234,7 +234,10 @@ class Simulator {
   }
 
   Pressure make_pressure() const {
-    if constexpr (FlowScheme<Pressure>)
+    if constexpr (names_leakoff<Pressure>)
+      return Pressure(params_.scheme, FluidOf<Pressure>(params_.fluid), assembly_.response(),
+                      LeakoffOf<Pressure>(params_.leakoff));
+    else if constexpr (FlowScheme<Pressure>)
       return Pressure(params_.scheme, FluidOf<Pressure>(params_.fluid), assembly_.response());
     else
       return Pressure(params_.scheme);
@@ -306,6 +309,10 @@ class Simulator {
   void refresh_widths() {
     for (const Index c : network_.wet_channels()) network_.set_width(c, width(c));
   }
+  void measure_intact_channels() {
+    for (Index c = 0; c < network_.geometry().channels.size(); ++c)
+      if (!network_.is_wet(c)) network_.set_width(c, width(c));
+  }
   double width(Index channel) const {
     const auto o = assembly_.opening(channel);
     return aperture_.width(network_.rest_width(channel) + o.dilation, o.compression, o.gap);
@@ -337,9 +344,10 @@ class Simulator {
   double time_ = 0, injected_ = 0, rounded_off_ = 0, mean_contact_force_ = 0;
   InjectionRate rate_{params_.injection};
   long mechanical_steps_ = 0, settling_steps_ = 0, fluid_steps_ = 0;
-  /// The mean contact force changes slowly, and takes as long to sum as a mechanical step.
-  static constexpr long mean_contact_force_lifetime = 100;
-  long mean_contact_force_until_ = 0;
+  /// The mean contact force and the widths of intact channels change slowly, and take as long to
+  /// measure as a mechanical step.
+  static constexpr long lifetime_of_measurements = 100;
+  long measured_until_ = 0;
   int threads_ = 1;
 };
 

@@ -7,6 +7,7 @@
 #include <hfdem/base/fields.hpp>
 #include <hfdem/contact/jointed.hpp>
 #include <hfdem/fluid/newtonian.hpp>
+#include <hfdem/leakoff/none.hpp>
 #include <hfdem/mechanics/loading.hpp>
 #include <hfdem/setup/flow_domains.hpp>
 #include <hfdem/setup/preset_crack.hpp>
@@ -50,6 +51,20 @@ struct FluidOfScheme<Pressure> {
 template <class Pressure>
 using FluidOf = typename FluidOfScheme<Pressure>::type;
 
+/// What a scheme's crack loses into the rock; nothing if the scheme does not say.
+template <class Pressure>
+struct LeakoffOfScheme {
+  using type = NoLeakoff;  ///< it
+};
+/// The scheme's own.
+template <names_leakoff Pressure>
+struct LeakoffOfScheme<Pressure> {
+  using type = typename Pressure::Leakoff;  ///< it
+};
+/// That of a scheme.
+template <class Pressure>
+using LeakoffOf = typename LeakoffOfScheme<Pressure>::type;
+
 /// One section per policy and per part of the model.
 template <class Contact, class Aperture, class Pressure>
 struct SimulatorParams {
@@ -62,8 +77,9 @@ struct SimulatorParams {
   PresetCrack crack{};                         ///< where the fluid enters
   Injection injection{};                       ///< how much of it, when and where
   typename FluidOf<Pressure>::Params fluid{};  ///< its properties
-  Mechanics mechanics{};                       ///< mechanical steps
-  typename Pressure::Params scheme{};          ///< of the pressure scheme
+  typename LeakoffOf<Pressure>::Params leakoff{};  ///< of what the crack loses, if it does
+  Mechanics mechanics{};                           ///< mechanical steps
+  typename Pressure::Params scheme{};              ///< of the pressure scheme
 
   /// The table of these sections.
   static constexpr auto sections() {
@@ -74,13 +90,19 @@ struct SimulatorParams {
       else
         return std::tuple{};
     };
+    const auto leakoff = [] {
+      if constexpr (LeakoffOf<Pressure>::leaks)
+        return std::tuple{Section{"leakoff", &P::leakoff}};
+      else
+        return std::tuple{};
+    };
     return std::tuple_cat(
         std::tuple{Section{"contact", &P::contact}}, joints(),
         std::tuple{Section{"aperture", &P::aperture}, Section{"channels", &P::channels},
                    Section{"boundary", &P::boundary}, Section{"in_situ", &P::in_situ},
                    Section{"crack", &P::crack}, Section{"injection", &P::injection},
-                   Section{"fluid", &P::fluid}, Section{"mechanics", &P::mechanics},
-                   Section{"scheme", &P::scheme}});
+                   Section{"fluid", &P::fluid}},
+        leakoff(), std::tuple{Section{"mechanics", &P::mechanics}, Section{"scheme", &P::scheme}});
   }
 
   /// Checks every section, and the order of the injection's schedule.

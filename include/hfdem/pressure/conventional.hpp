@@ -23,18 +23,22 @@
 #include <hfdem/base/fields.hpp>
 #include <hfdem/base/pack.hpp>
 #include <hfdem/fluid/newtonian.hpp>
+#include <hfdem/leakoff/none.hpp>
 #include <hfdem/pressure/stored_fluid.hpp>
 #include <hfdem/state/concepts.hpp>
+#include <hfdem/state/leakoff.hpp>
 #include <hfdem/state/step.hpp>
 
 namespace hfdem {
 
 /// A `FlowScheme`: explicit.
 /// @tparam FluidPolicy law of the fluid
-template <FluidLaw FluidPolicy = NewtonianFluid>
+/// @tparam LeakoffPolicy what the crack loses into the rock
+template <FluidLaw FluidPolicy = NewtonianFluid, LeakoffLaw LeakoffPolicy = NoLeakoff>
 class ConventionalFlow {
  public:
-  using Fluid = FluidPolicy;  ///< as composed
+  using Fluid = FluidPolicy;      ///< as composed
+  using Leakoff = LeakoffPolicy;  ///< as composed
 
   /// Steps and floor.
   struct Params {
@@ -60,8 +64,10 @@ class ConventionalFlow {
 
   /// @param params validated
   /// @param law of the fluid
-  ConventionalFlow(const Params& params, const Fluid& law, const RockResponse&)
-      : params_(params), law_(law) {}
+  /// @param leakoff law of what is lost
+  ConventionalFlow(const Params& params, const Fluid& law, const RockResponse&,
+                   const Leakoff& leakoff = Leakoff({}))
+      : params_(params), law_(law), leakoff_(leakoff) {}
 
   /// Length of the next fluid step, s: as given, or one step of the flow.
   double fluid_dt(double) const {
@@ -75,7 +81,8 @@ class ConventionalFlow {
     fluid_.join(network);
     fluid_.find_room(network);
     find_conductances(network);
-    find_limit();
+    find_leakoff(network, injected.dt);
+    find_limit(injected.dt);
     const double wanted = std::ceil(injected.dt / longest_flow_step());
     constexpr double far_too_many = 1e7;
     if (wanted > far_too_many)
@@ -84,8 +91,9 @@ class ConventionalFlow {
     const auto flow_steps = static_cast<long>(max(1.0, wanted));
     for (long k = 0; k < flow_steps; ++k)
       flow(network, injected.dt / static_cast<double>(flow_steps),
-           injected.step / static_cast<double>(flow_steps));
+           injected.step / static_cast<double>(flow_steps), 1 / static_cast<double>(flow_steps));
     publish(network);
+    lose(network, flow_steps);
     const Relaxed relaxed = relax();
     // What the discs have moved, and the channels that they have opened, changes the pressures.
     fluid_.join(network);
@@ -118,11 +126,17 @@ class ConventionalFlow {
   /// @param network with widths and pressures
   /// @param injected so far, m2
   VolumeBalance balance(const Network& network, double injected) const {
-    return fluid_.balance(network, injected, law_, params_.pressure_floor);
+    VolumeBalance b = fluid_.balance(network, injected, law_, params_.pressure_floor);
+    if constexpr (Leakoff::leaks) b.leaked = leakoff_.leaked();
+    return b;
   }
+  const Leakoff& leakoff() const { return leakoff_; }  ///< to be read
 
-  /// What is stored, and the limit.
-  void exchange(auto& archive) { archive(fluid_, pressure_, limit_, limiting_channel_); }
+  /// What is stored and lost, and the limit.
+  void exchange(auto& archive) {
+    archive(fluid_, pressure_, limit_, limiting_channel_);
+    if constexpr (Leakoff::leaks) archive(leakoff_);
+  }
 
  private:
   double longest_flow_step() const { return params_.limit_fraction * limit_; }
@@ -136,9 +150,30 @@ class ConventionalFlow {
     }
   }
 
-  void find_limit() {
+  void find_leakoff(Network& network, double dt) {
+    if constexpr (Leakoff::leaks) {
+      leakoff_.join(network);
+      leakoff_.find_loss(network, law_, dt, {pressure_, fluid_.stored()}, Euler::forward);
+      taken_.assign(leakoff_.size(), 0);
+      mean_.assign(leakoff_.size(), 0);
+    }
+  }
+
+  /// What the flow took bit by bit, once more as the law has it at the mean pressures.
+  void lose(Network& network, long flow_steps) {
+    if constexpr (Leakoff::leaks) {
+      for (double& p : mean_) p /= static_cast<double>(flow_steps);
+      leakoff_.commit(network, law_, mean_);
+      for (std::size_t d = 0; d < leakoff_.size(); ++d)
+        fluid_.stored()[d] -= leakoff_.loss(d, mean_[d]) - taken_[d];
+    }
+  }
+
+  void find_limit([[maybe_unused]] double dt) {
     const auto channels = fluid_.channels();
     leaving_.assign(fluid_.size(), 0);
+    if constexpr (Leakoff::leaks)
+      for (std::size_t d = 0; d < leakoff_.size(); ++d) leaving_[d] = leakoff_.slope(d) / dt;
     for (std::size_t k = 0; k < channels.size(); ++k) {
       leaving_[channels[k].first] += conductance_[k];
       leaving_[channels[k].second] += conductance_[k];
@@ -157,7 +192,7 @@ class ConventionalFlow {
     }
   }
 
-  void flow(const Network& network, double dt, double injected) {
+  void flow(const Network& network, double dt, double injected, [[maybe_unused]] double part) {
     const auto channels = fluid_.channels();
     const auto stored = fluid_.stored();
     for (std::size_t k = 0; k < channels.size(); ++k) {
@@ -166,6 +201,13 @@ class ConventionalFlow {
       stored[first] -= volume;
       stored[second] += volume;
     }
+    if constexpr (Leakoff::leaks)
+      for (std::size_t d = 0; d < leakoff_.size(); ++d) {
+        const double loss = part * leakoff_.loss(d, pressure_[d]);
+        stored[d] -= loss;
+        taken_[d] += loss;
+        mean_[d] += pressure_[d];
+      }
     fluid_.inject(injected, network.injection_domains().size());
     find_pressures();
   }
@@ -186,8 +228,10 @@ class ConventionalFlow {
 
   Params params_;
   Fluid law_;
+  Leakoff leakoff_;
   StoredFluid fluid_;
   std::vector<double> pressure_;               // of each wet domain, Pa
+  std::vector<double> taken_, mean_;           // of each: lost in this step, and mean pressure
   std::vector<double> conductance_, leaving_;  // of each wet channel, and around a domain
   double limit_ = std::numeric_limits<double>::infinity();
   Index limiting_channel_ = nothing;

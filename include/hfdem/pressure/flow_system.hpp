@@ -9,16 +9,13 @@
 /// of a symmetric one get the same bits.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
 
 #include <hfdem/base/errors.hpp>
+#include <hfdem/base/graph_system.hpp>
 #include <hfdem/pressure/stored_fluid.hpp>
-
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 namespace hfdem {
 
@@ -43,66 +40,25 @@ class FlowSystem {
                     std::span<const double> residual, const std::vector<bool>& takes_part,
                     std::span<double> pressure) {
     const std::size_t n = fluid.size();
+    const bool found = system_.factorise(fluid.channels(), {matrix.own, matrix.flow}, takes_part);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n)), ones = right;
     for (std::size_t d = 0; d < n; ++d)
-      if (takes_part[d]) right[row(d, n)] = residual[d], ones[row(d, n)] = 1;
-    assemble(fluid, matrix, takes_part);
-    const Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(matrix_);
-    const Eigen::VectorXd change = factor.solve(right), even = factor.solve(ones);
+      if (takes_part[d]) right[system_.row(d)] = residual[d], ones[system_.row(d)] = 1;
+    const Eigen::VectorXd change = system_.solve(right), even = system_.solve(ones);
     double all_change = 0, all_even = 0;
     for (Eigen::Index k = 0; k < ones.size(); ++k)
       all_change += ones[k] * change[k], all_even += ones[k] * even[k];
     const double less = matrix.together * all_change / (1 + matrix.together * all_even);
     // A maximum loses what is not a number; a sum keeps it.
-    if (factor.info() != Eigen::Success || !std::isfinite(less + all_change))
+    if (!found || !std::isfinite(less + all_change))
       throw RunStopped(
           "the pressures have no solution: a width or a pressure is not a finite number");
     for (std::size_t d = 0; d < n; ++d)
-      pressure[d] = pressure[d] + change[row(d, n)] - less * even[row(d, n)];
+      pressure[d] = pressure[d] + change[system_.row(d)] - less * even[system_.row(d)];
   }
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
-
-  /// Unknowns are numbered against the order in which domains turned wet.
-  static Eigen::Index row(std::size_t domain, std::size_t domains) {
-    return static_cast<Eigen::Index>(domains - 1 - domain);
-  }
-
-  void assemble(const StoredFluid& fluid, const Coefficients& matrix,
-                const std::vector<bool>& takes_part) {
-    const std::size_t n = fluid.size();
-    const auto channels = fluid.channels();
-    if (matrix_.rows() != static_cast<Eigen::Index>(n) || joined_ != channels.size())
-      make_pattern(fluid);
-    matrix_.coeffs().setZero();
-    for (std::size_t d = 0; d < n; ++d)
-      matrix_.coeffRef(row(d, n), row(d, n)) = takes_part[d] ? matrix.own[d] : 1;
-    for (std::size_t k = 0; k < channels.size(); ++k) {
-      const bool first = takes_part[channels[k].first], second = takes_part[channels[k].second];
-      const Eigen::Index a = row(channels[k].first, n), b = row(channels[k].second, n);
-      if (first) matrix_.coeffRef(a, a) += matrix.flow[k];
-      if (second) matrix_.coeffRef(b, b) += matrix.flow[k];
-      if (first && second) matrix_.coeffRef(std::max(a, b), std::min(a, b)) -= matrix.flow[k];
-    }
-  }
-
-  /// The lower triangle.
-  void make_pattern(const StoredFluid& fluid) {
-    const std::size_t n = fluid.size();
-    std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t d = 0; d < n; ++d) entries.emplace_back(row(d, n), row(d, n), 1.0);
-    for (const WetChannel& c : fluid.channels()) {
-      const Eigen::Index a = row(c.first, n), b = row(c.second, n);
-      entries.emplace_back(std::max(a, b), std::min(a, b), 0.0);
-    }
-    matrix_.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-    matrix_.setFromTriplets(entries.begin(), entries.end());
-    joined_ = fluid.channels().size();
-  }
-
-  Matrix matrix_;
-  std::size_t joined_ = 0;  // channels in the matrix
+  GraphSystem<> system_;
 };
 
 }  // namespace hfdem

@@ -35,19 +35,23 @@
 #include <hfdem/base/fields.hpp>
 #include <hfdem/base/pack.hpp>
 #include <hfdem/fluid/newtonian.hpp>
+#include <hfdem/leakoff/none.hpp>
 #include <hfdem/pressure/flow_system.hpp>
 #include <hfdem/pressure/stored_fluid.hpp>
 #include <hfdem/state/concepts.hpp>
+#include <hfdem/state/leakoff.hpp>
 #include <hfdem/state/step.hpp>
 
 namespace hfdem {
 
 /// A `FlowScheme`: implicit.
 /// @tparam FluidPolicy law of the fluid
-template <FluidLaw FluidPolicy = NewtonianFluid>
+/// @tparam LeakoffPolicy what the crack loses into the rock
+template <FluidLaw FluidPolicy = NewtonianFluid, LeakoffLaw LeakoffPolicy = NoLeakoff>
 class ImplicitFlow {
  public:
-  using Fluid = FluidPolicy;  ///< as composed
+  using Fluid = FluidPolicy;      ///< as composed
+  using Leakoff = LeakoffPolicy;  ///< as composed
 
   /// Step, tolerances and floor.
   struct Params {
@@ -78,8 +82,10 @@ class ImplicitFlow {
   /// @param params validated
   /// @param law of the fluid
   /// @param rock how it answers, roughly; a modulus of infinity for walls that do not move
-  ImplicitFlow(const Params& params, const Fluid& law, const RockResponse& rock)
-      : params_(params), law_(law), rock_(rock), dt_(params.fluid_dt) {}
+  /// @param leakoff law of what is lost
+  ImplicitFlow(const Params& params, const Fluid& law, const RockResponse& rock,
+               const Leakoff& leakoff = Leakoff({}))
+      : params_(params), law_(law), leakoff_(leakoff), rock_(rock), dt_(params.fluid_dt) {}
 
   /// Length of the next fluid step, s.
   double fluid_dt(double) const { return dt_; }
@@ -91,6 +97,9 @@ class ImplicitFlow {
   FluidStep advance(Network& network, const Injected& injected, Relax&& relax) {
     fluid_.join(network);
     fluid_.inject(injected.step, network.injection_domains().size());
+    if constexpr (Leakoff::leaks) leakoff_.join(network);
+    pressure_.resize(fluid_.size(), 0);
+    find_leakoff(network, injected.dt);
     take_stock(network, injected.dt);
     room_before_.clear();
     FluidStep step;
@@ -104,12 +113,21 @@ class ImplicitFlow {
       ++step.mechanical_steps;
       step.unbalanced_ratio = relaxed.unbalanced_ratio;
       // At the very beginning next to nothing has been injected into a crack that is full already.
-      step.volume_error = missing_room() / max(injected.total, network.rest_volume());
-      step.converged = step.volume_error <= params_.volume_tolerance &&
-                       relaxed.unbalanced_ratio < params_.unbalanced_tolerance;
+      const double whole = max(injected.total, network.rest_volume());
+      step.volume_error = missing_room() / whole;
+      const bool balanced = relaxed.unbalanced_ratio < params_.unbalanced_tolerance;
+      // What leaks off was estimated from the last time it was found.
+      if (Leakoff::leaks && balanced && step.volume_error <= params_.volume_tolerance) {
+        find_leakoff(network, injected.dt);
+        find_residual(injected.dt);
+        step.volume_error = missing_room() / whole;
+      }
+      step.converged = balanced && step.volume_error <= params_.volume_tolerance;
     } while (!step.converged && step.mechanical_steps < params_.max_mechanical_steps);
     step.flow_steps = step.mechanical_steps;
+    if (Leakoff::leaks && !step.converged) find_leakoff(network, injected.dt);
     let_flow(injected.dt);
+    lose(network);
     publish(network);
     constexpr double shorter = 0.5, longer = 1.25, shortest = 1.0 / 16;
     dt_ = clamp(dt_ * (step.converged ? longer : shorter), shortest * params_.fluid_dt,
@@ -121,13 +139,31 @@ class ImplicitFlow {
   /// @param network with widths and pressures
   /// @param injected so far, m2
   VolumeBalance balance(const Network& network, double injected) const {
-    return fluid_.balance(network, injected, law_, params_.pressure_floor);
+    VolumeBalance b = fluid_.balance(network, injected, law_, params_.pressure_floor);
+    if constexpr (Leakoff::leaks) b.leaked = leakoff_.leaked();
+    return b;
+  }
+  const Leakoff& leakoff() const { return leakoff_; }  ///< to be read
+
+  /// What is stored and lost, the pressures and the step.
+  void exchange(auto& archive) {
+    archive(fluid_, pressure_, dt_);
+    if constexpr (Leakoff::leaks) archive(leakoff_);
   }
 
-  /// What is stored, the pressures and the step.
-  void exchange(auto& archive) { archive(fluid_, pressure_, dt_); }
-
  private:
+  void find_leakoff(const Network& network, double dt) {
+    if constexpr (Leakoff::leaks)
+      leakoff_.find_loss(network, law_, dt, {pressure_, fluid_.stored()}, Euler::backward);
+  }
+  void lose(Network& network) {
+    if constexpr (Leakoff::leaks) {
+      leakoff_.commit(network, law_, pressure_);
+      for (std::size_t d = 0; d < leakoff_.size(); ++d)
+        fluid_.stored()[d] -= leakoff_.loss(d, pressure_[d]);
+    }
+  }
+
   /// What flows at the present widths and pressures, and what has no room then.
   void take_stock(const Network& network, double dt) {
     fluid_.find_room(network);
@@ -162,6 +198,9 @@ class ImplicitFlow {
     });
     for (std::size_t d = 0; d < residual_.size(); ++d)
       residual_[d] -= fluid_.room()[d] * law_.filling(pressure_[d]);
+    if constexpr (Leakoff::leaks)
+      for (std::size_t d = 0; d < leakoff_.size(); ++d)
+        residual_[d] -= leakoff_.loss(d, pressure_[d]);
   }
 
   /// Not full at the least pressure, nor about to be. Full to the last digits is full: or pressure
@@ -212,6 +251,8 @@ class ImplicitFlow {
     own_.clear(), flow_.clear();
     for (std::size_t d = 0; d < pressure_.size(); ++d)
       own_.push_back(c.each + fluid_.room()[d] / law_.modulus(pressure_[d]));
+    if constexpr (Leakoff::leaks)
+      for (std::size_t d = 0; d < leakoff_.size(); ++d) own_[d] += leakoff_.slope(d);
     for (const double conductance : conductance_) flow_.push_back(dt * conductance);
     const double ahead = c.steps + made / 10.0;
     for (std::size_t d = 0; d < room_before_.size(); ++d)
@@ -236,6 +277,7 @@ class ImplicitFlow {
 
   Params params_;
   Fluid law_;
+  Leakoff leakoff_;
   RockResponse rock_;
   StoredFluid fluid_;
   std::vector<double> pressure_;                // of each wet domain, Pa

@@ -29,6 +29,13 @@
 
 namespace hfdem {
 
+/// A crack that keeps its fluid.
+struct NoLoss {
+  static constexpr double slope = 0;  ///< how the loss grows with pressure, m2/Pa
+  /// Lost so far at a pressure, m2.
+  double operator()(double /*pressure*/) const { return 0; }
+};
+
 /// A `PressureScheme`: one pressure in the whole crack.
 class UniformPressure {
  public:
@@ -77,26 +84,34 @@ class UniformPressure {
   double fluid_dt(double) const { return params_.fluid_dt; }
 
   /// Adds the injected volume and matches it: dP, one mechanical step, again until the rule is met.
+  /// @param network to which the pressure is given
+  /// @param injected so far
+  /// @param relax makes one mechanical step
+  /// @param loss by the end of the step as a function of pressure, m2, and its `slope`
   /// @throws RunStopped if the crack opens far more than was injected: no pressure in the allowed
   ///   range holds it any more
-  template <class Relax>
-  FluidStep advance(Network& network, const Injected& injected, Relax&& relax) {
+  template <class Relax, class Loss = NoLoss>
+  FluidStep advance(Network& network, const Injected& injected, Relax&& relax,
+                    const Loss& loss = {}) {
+    const auto left = [&] {
+      return injected.total - loss(network.pressure(network.injection_domain()));
+    };
     FluidStep step;
     do {
-      const bool was_too_much = std::exchange(too_much_, network.crack_volume() > injected.total);
+      const bool was_too_much = std::exchange(too_much_, network.crack_volume() > left());
       if (params_.equilibrium && too_much_ != was_too_much && ++turns_ > usual_turns)
         gain_ = max(least_gain, gain_ / 2);
-      raise_pressure(network, injected.total);
+      raise_pressure(network, left(), loss.slope);
       const Relaxed relaxed = relax();
       ++step.mechanical_steps;
       step.unbalanced_ratio = relaxed.unbalanced_ratio;
-      give_way(network, injected.total, relaxed.joined_volume);
+      give_way(network, left(), relaxed.joined_volume);
       if (has_opened(network, 10 * injected.total)) stop_runaway(network, injected.total);
       const double wanted = injected.total > 0 ? injected.total : network.rest_volume();
-      step.volume_error = std::abs(injected.total - network.crack_volume()) / wanted;
+      step.volume_error = std::abs(left() - network.crack_volume()) / wanted;
       const bool matched = step.volume_error <= *params_.volume_tolerance;
       step.converged = params_.equilibrium
-                           ? (matched || is_half_empty(network, injected.total)) &&
+                           ? (matched || is_half_empty(network, left())) &&
                                  relaxed.unbalanced_ratio < params_.unbalanced_tolerance
                            : matched;
     } while (!step.converged && step.mechanical_steps < *params_.max_mechanical_steps);
@@ -122,9 +137,10 @@ class UniformPressure {
   void exchange(auto& archive) { archive(gain_, turns_, too_much_, running_away_); }
 
  private:
-  void raise_pressure(Network& network, double injected) const {
-    const double volume = max(network.total_volume(), network.rest_volume());
-    const double wanted = gain_ * params_.alpha * (injected - network.crack_volume()) / volume;
+  void raise_pressure(Network& network, double injected, double loss_slope) const {
+    const double gain = gain_ * params_.alpha;
+    const double volume = max(network.total_volume(), network.rest_volume()) + gain * loss_slope;
+    const double wanted = gain * (injected - network.crack_volume()) / volume;
     const double change = clamp(wanted, -params_.max_pressure_step, params_.max_pressure_step);
     fill(network, max(0.0, network.pressure(network.injection_domain()) + change));
   }

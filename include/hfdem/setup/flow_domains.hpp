@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -123,6 +124,16 @@ inline FlowDomains flow_domains(const Specimen& specimen, std::span<const Contac
       moment = moment + cross(a, b) * (a + b);
     }
     if (!(twice_area > 0)) continue;  // the outside
+    double sectors = 0;
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Vec2 in = edges.arm(detail::HalfEdges::twin(loop[k])),
+                 out = edges.arm(loop[(k + 1) % loop.size()]);
+      const double angle = std::atan2(cross(out, in), dot(out, in)),
+                   r = specimen.radius[edges.origin(loop[(k + 1) % loop.size()])];
+      sectors += r * r / 2 * (angle < 0 ? angle + 2 * std::numbers::pi : angle);
+    }
+    result.area.push_back(twice_area / 2);
+    result.void_area.push_back(twice_area / 2 - sectors);
     const auto domain = static_cast<Index>(result.centre.size());
     result.centre.push_back(seen_from + (1 / (3 * twice_area)) * moment);
     for (const Index h : loop) {

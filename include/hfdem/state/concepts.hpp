@@ -8,6 +8,7 @@
 
 #include <hfdem/state/contact.hpp>
 #include <hfdem/state/law_concepts.hpp>
+#include <hfdem/state/leakoff.hpp>
 #include <hfdem/state/network.hpp>
 #include <hfdem/state/specimen.hpp>
 #include <hfdem/state/step.hpp>
@@ -103,6 +104,20 @@ concept made_with_fluid = std::constructible_from<S, const typename S::Params&,
 template <class S>
 concept takes_its_fluid = !names_fluid<S> || (FluidLaw<typename S::Fluid> && made_with_fluid<S>);
 
+/// The crack of a scheme may lose fluid: a nested `Leakoff`.
+template <class S>
+concept names_leakoff = names_fluid<S> && requires {
+  typename S::Leakoff;
+};
+
+/// A scheme with leak-off is made with the law of that, too.
+template <class S>
+concept takes_its_leakoff =
+    !names_leakoff<S> ||
+    (LeakoffLaw<typename S::Leakoff> &&
+     std::constructible_from<S, const typename S::Params&, const typename S::Fluid&,
+                             const RockResponse&, const typename S::Leakoff&>);
+
 /// What every scheme needs, however it is made.
 template <class S>
 concept advances_pressure = has_described_params<S> && says_whether_it_holds_fluid<S> &&
@@ -110,11 +125,19 @@ concept advances_pressure = has_described_params<S> && says_whether_it_holds_flu
 
 /// A scheme whose fluid flows.
 template <class S>
-concept FlowScheme = advances_pressure<S> && names_fluid<S> && takes_its_fluid<S>;
+concept FlowScheme =
+    advances_pressure<S> && names_fluid<S> && takes_its_fluid<S> && takes_its_leakoff<S>;
 
 /// How the fluid's pressure evolves in a fluid step.
 template <class S>
-concept PressureScheme = advances_pressure<S> && made_from_params<S> && takes_its_fluid<S>;
+concept PressureScheme =
+    advances_pressure<S> && made_from_params<S> && takes_its_fluid<S> && takes_its_leakoff<S>;
+
+/// A scheme whose fluid flows through intact contacts, too.
+template <class S>
+concept FlowsThroughRock = names_leakoff<S> && requires {
+  requires S::Leakoff::conducts_when_intact;
+};
 
 /// A scheme that keeps account of its volumes: `balance(network, injected)`.
 template <class S>

@@ -32,6 +32,8 @@ struct Corner {
 /// The network's geometry: that of the bonded specimen, for ever (small strain).
 struct FlowDomains {
   std::vector<Vec2> centre;                  ///< area centroid of each domain, m
+  std::vector<double> area;                  ///< of the polygon of disc centres around each, m2
+  std::vector<double> void_area;             ///< of that, what the discs leave: maybe less than 0
   std::vector<Channel> channels;             ///< one per contact
   std::vector<Index> channels_begin;         ///< per domain, into `channels_of`
   std::vector<Index> channels_of;            ///< the channels around each domain
@@ -73,7 +75,7 @@ class Network {
   std::span<const Index> wet_channels() const { return wet_channels_; }
   /// Domains that hold fluid, the injection domains first, in the order in which they got it.
   std::span<const Index> wet_domains() const { return wet_domains_; }
-  /// Discs that touch a wet domain.
+  /// Discs that touch a domain whose pressure counts: a wet one, or a pore.
   std::span<const Index> pushed_discs() const { return pushed_discs_; }
   /// Whether the channel's bond has broken.
   bool is_open(Index channel) const { return open_[channel]; }
@@ -82,11 +84,11 @@ class Network {
   /// Whether a wet channel lies on the rim: the fluid would leave the specimen there.
   bool reached_rim() const { return reached_rim_; }
 
-  /// Fluid pressure of a domain, Pa; zero while it is dry.
+  /// Fluid pressure of a domain, Pa; zero while it is dry. That of a pore, if the rock leaks.
   double pressure(Index domain) const { return pressure_[domain]; }
   /// Fluid pressures, Pa, one per domain.
   std::span<const double> pressures() const { return pressure_; }
-  /// Hydraulic aperture w of a channel, m; zero while it is dry.
+  /// Hydraulic aperture w of a channel, m; zero while it is dry, unless the rock leaks.
   double width(Index channel) const { return width_[channel]; }
   /// Aperture at zero contact force, w0, m.
   double rest_width(Index channel) const { return rest_width_[channel]; }
@@ -101,11 +103,18 @@ class Network {
   }
   /// Sets how much of a wet channel is taken as filled from the beginning, m.
   void set_filled_width(Index channel, double width) { filled_width_[channel] = width; }
-  /// Sets the hydraulic aperture of a wet channel, m.
+  /// Sets the hydraulic aperture of a channel that conducts, m.
   void set_width(Index channel, double width) { width_[channel] = width; }
   /// Sets the pressure of a wet domain, Pa.
   void set_pressure(Index domain, double pressure) {
     assert(wet_domain_[domain]);
+    pressure_[domain] = pressure;
+  }
+
+  /// Sets the pressure of a domain that is not wet, Pa: a pore of the rock, which pushes its discs.
+  void soak(Index domain, double pressure) {
+    assert(!wet_domain_[domain]);
+    if (pressure > 0) push_discs(domain);
     pressure_[domain] = pressure;
   }
 
@@ -188,6 +197,10 @@ class Network {
   void wet(Index domain) {
     wet_domain_[domain] = true;
     wet_domains_.push_back(domain);
+    push_discs(domain);
+  }
+
+  void push_discs(Index domain) {
     for (const Index disc : discs_of(domain)) {
       if (pushed_disc_[disc]) continue;
       pushed_disc_[disc] = true;
