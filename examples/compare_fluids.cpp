@@ -11,9 +11,6 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
-#include <vector>
-
-#include <hfdem/measure/sample_mean.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -55,11 +52,6 @@ std::string said(double v) {
   return std::isfinite(v) ? text : "-";
 }
 
-std::string_view verdict(const measure::SampleMean& change, int paper) {
-  if (!(std::abs(change.mean) > change.ci95)) return "not told apart";
-  return change.mean * paper > 0 ? "as in the paper" : "the other way round";
-}
-
 void print(const SeedsTable& viscous, const SeedsTable& slick) {
   std::printf(
       "Means over the rocks in which both cracks are still inside at that time. Pressure drop and\n"
@@ -68,21 +60,13 @@ void print(const SeedsTable& viscous, const SeedsTable& slick) {
       "Student's t.\n\n"
       "| | viscous | slick | change | 95 %% | rocks | |\n|---|---|---|---|---|---|---|\n");
   for (const Comparison& c : comparisons) {
-    std::vector<double> a, b, change;
-    for (const int seed : viscous.seeds()) {
-      const double v = c.factor * viscous.value(seed, c.key);
-      const double s = c.factor * slick.value(seed, c.key);
-      if (!std::isfinite(v) || !std::isfinite(s)) continue;
-      a.push_back(v), b.push_back(s), change.push_back(v - s);
-    }
-    if (change.empty()) continue;
-    const auto mean = measure::SampleMean::of(change);
+    const PairedReading r = paired(viscous, slick, c.key, c.factor);
+    if (r.rocks == 0) continue;
     std::printf("| %s%s%s | %s | %s | %s | %s | %zu | %s |\n", std::string(c.name).c_str(),
-                c.unit.empty() ? "" : ", ", std::string(c.unit).c_str(),
-                said(measure::SampleMean::of(a).mean).c_str(),
-                said(measure::SampleMean::of(b).mean).c_str(), said(mean.mean).c_str(),
-                said(mean.ci95).c_str(), change.size(),
-                std::string(verdict(mean, c.paper)).c_str());
+                c.unit.empty() ? "" : ", ", std::string(c.unit).c_str(), said(r.first.mean).c_str(),
+                said(r.second.mean).c_str(), said(r.change.mean).c_str(),
+                said(r.change.ci95).c_str(), r.rocks,
+                std::string(verdict(r.change, c.paper, "as in the paper")).c_str());
   }
 }
 

@@ -38,7 +38,7 @@ struct Case {
   double joint_microcracks = NAN;      ///< Table 5
   double connected_microcracks = NAN;  ///< of these
 };
-/// Section 4.1, Figs. 7 and 12, and Section 4.2, Table 5.
+/// Section 4.1, Figs. 7 and 12, Section 4.2, Table 5, and Section 5.1.
 inline Case of_case(std::string_view name) {
   if (name == "1-S1") return {.breakdown = 24.1e6, .tortuosity = 1.19};
   if (name == "1-S2") return {.breakdown = 23.7e6};
@@ -49,6 +49,7 @@ inline Case of_case(std::string_view name) {
             .total_length = 1.099,
             .aperture = 10.64e-5};
   if (name == "2-S2") return {.breakdown = 22.1e6};
+  if (name == "L1-S1") return {.breakdown = 21.0e6};
   if (name == "N1-S2") return {.joint_microcracks = 109, .connected_microcracks = 57};
   if (name == "N2-S2") return {.joint_microcracks = 168, .connected_microcracks = 117};
   return {};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/contact/scattered_parallel_bond.hpp>
@@ -39,6 +40,11 @@ struct Readings {
   }
 };
 
+/// Whether a scheme's parameters are those of uniform pressure, with leak-off or without.
+template <class Pressure>
+inline constexpr bool knows_one_pressure =
+    std::is_same_v<typename Pressure::Params, UniformPressure::Params>;
+
 /// The cases that a scheme can run, the usual one first.
 /// @param slick those of carbon dioxide @param viscous those of a viscous fluid
 template <class Pressure>
@@ -53,14 +59,13 @@ constexpr auto cases_of(std::array<std::string_view, 2> slick,
 /// A scheme's parameters for random rock.
 template <class Pressure>
 typename Pressure::Params rock_scheme() {
-  return {.fluid_dt = 2e-3, .unbalanced_tolerance = 5e-3};
-}
-template <>
-inline UniformPressure::Params rock_scheme<UniformPressure>() {
-  return {.fluid_dt = 1e-3,
-          .equilibrium = true,
-          .max_mechanical_steps = 500,
-          .unbalanced_tolerance = 5e-3};
+  if constexpr (knows_one_pressure<Pressure>)
+    return {.fluid_dt = 1e-3,
+            .equilibrium = true,
+            .max_mechanical_steps = 500,
+            .unbalanced_tolerance = 5e-3};
+  else
+    return {.fluid_dt = 2e-3, .unbalanced_tolerance = 5e-3};
 }
 
 /// The sections that all programs of random rock share; the defaults are the paper's rock under the
@@ -93,7 +98,7 @@ struct RockRunSections {
   void load_paper_preset() {
     simulator.channels.length = ChannelLength::bond;
     simulator.boundary.kind = BoundaryKind::dead_loads;
-    if constexpr (!FlowScheme<Pressure>) simulator.scheme = {.fluid_dt = 1e-3};
+    if constexpr (knows_one_pressure<Pressure>) simulator.scheme = {.fluid_dt = 1e-3};
   }
 
   /// A tenth of the area, until the crack is as long for its size.

@@ -9,6 +9,7 @@
 
 #include "support/energy_record.hpp"
 #include "support/joint_record.hpp"
+#include "support/leak_record.hpp"
 #include "support/rock_figures.hpp"
 #include "support/rock_outcome.hpp"
 #include "support/run_report.hpp"
@@ -28,8 +29,10 @@ class RockReport {
   /// The page of a run, whatever ended it.
   /// @param energy where the work went; null if no books were kept
   /// @param joints what became of natural fractures; null if there are none
+  /// @param leak what the crack has lost; null if it loses nothing
   std::string html(const Sim& sim, const RockOutcome& o, const RockFigures<Config>& figures,
-                   const EnergyRecord<Sim>* energy, const JointRecord<Sim>* joints) {
+                   const EnergyRecord<Sim>* energy, const JointRecord<Sim>* joints,
+                   const LeakRecord<Sim>* leak) {
     page_.title =
         "A crack of " + metres(o.end.tip_distance) + " after " + observe::fixed(o.end.time, 3, "s");
     page_.lead = "A crack driven by " + std::string(words_of(config_.simulator.scheme).driven_by) +
@@ -51,6 +54,7 @@ class RockReport {
     page_.figure(figures.tips());
     page_.figure(figures.length());
     page_.figure(figures.aperture());
+    if (leak) leak->add_to(page_, sim, described(config_, static_cast<long>(sim.discs().size())));
     page_.section("Stress around the crack");
     page_.figure(figures.stress());
     add_comparison(o);
@@ -80,6 +84,8 @@ class RockReport {
         {"stress.svg", "minimum principal stress"}};
     if (joints)
       beside.insert(beside.end(), joints->said_files().begin(), joints->said_files().end());
+    if (leak)
+      for (const observe::File& file : leak->said_files()) beside.push_back(file);
     add_origin(page_, config_, beside, manifest_);
     return page_.html();
   }

@@ -16,6 +16,7 @@
 #include "support/energy_record.hpp"
 #include "support/growing_file.hpp"
 #include "support/joint_record.hpp"
+#include "support/leak_record.hpp"
 #include "support/output_folder.hpp"
 #include "support/progress.hpp"
 #include "support/rock_prediction.hpp"
@@ -33,10 +34,11 @@ class RockResults {
 
   /// What is written at the end.
   static constexpr std::array files{
-      "report.html",       "summary.json",         "profile.csv", "cracks.csv",   "fracture.svg",
-      "aperture_map.svg",  "pressure_map.svg",     "stress.svg",  "pressure.svg", "tips.svg",
-      "length.svg",        "aperture.svg",         "energy.csv",  "joints.csv",   "joints.svg",
-      "joint_lengths.svg", "natural_fractures.csv"};
+      "report.html",       "summary.json",          "profile.csv", "cracks.csv",     "fracture.svg",
+      "aperture_map.svg",  "pressure_map.svg",      "stress.svg",  "pressure.svg",   "tips.svg",
+      "length.svg",        "aperture.svg",          "energy.csv",  "joints.csv",     "joints.svg",
+      "joint_lengths.svg", "natural_fractures.csv", "leaked.svg",  "efficiency.svg", "pores.csv",
+      "pores.svg"};
 
   /// @param measured modulus and toughness to predict the run with, if there are some
   /// @param fractures number of natural ones
@@ -52,6 +54,7 @@ class RockResults {
         paraview_(folder.path() / "paraview", config.run.snapshot_interval) {
     if (config.run.energy) energy_.emplace(folder, config.run.output_interval, resumes);
     if (fractures > 0) joints_.emplace(folder, config.run.output_interval, resumes);
+    if (leaks<Sim>) leak_.emplace(folder, config.run.output_interval, resumes);
   }
 
   /// Call once the specimen has settled; not for a run that is resumed.
@@ -68,6 +71,7 @@ class RockResults {
   void fluid_step(const Sim& sim, const FluidStep& step) {
     if (energy_) energy_->fluid_step(sim);
     if (joints_) joints_->fluid_step(sim);
+    if (leak_) leak_->fluid_step(sim);
     recorder_.fluid_step(sim, step);
     paraview_.fluid_step(sim, step);
   }
@@ -77,6 +81,7 @@ class RockResults {
     archive(measured_, history_file_, recorder_, paraview_);
     if (energy_) archive(*energy_);
     if (joints_) archive(*joints_);
+    if (leak_) archive(*leak_);
   }
 
   /// @param how the run ended
@@ -86,7 +91,9 @@ class RockResults {
     paraview_.write(sim);
     history_file_.close();
     if (energy_) energy_->close();
-    if (joints_) joints_->finish(sim, described(config_, static_cast<long>(sim.discs().size())));
+    const std::string conditions = described(config_, static_cast<long>(sim.discs().size()));
+    if (joints_) joints_->finish(sim, conditions);
+    if (leak_) leak_->finish(sim, conditions);
     folder_.write("profile.csv", profile(sim));
     std::ostringstream cracks;
     observe::write_cracks(cracks, sim);
@@ -103,9 +110,10 @@ class RockResults {
     folder_.write("length.svg", svg(figures.length()));
     folder_.write("aperture.svg", svg(figures.aperture()));
     folder_.write("summary.json", summary(sim).json());
-    folder_.write("report.html", RockReport<Config>(config_, manifest_)
-                                     .html(sim, outcome_, figures, energy_ ? &*energy_ : nullptr,
-                                           joints_ ? &*joints_ : nullptr));
+    folder_.write("report.html",
+                  RockReport<Config>(config_, manifest_)
+                      .html(sim, outcome_, figures, energy_ ? &*energy_ : nullptr,
+                            joints_ ? &*joints_ : nullptr, leak_ ? &*leak_ : nullptr));
   }
 
   /// @param reason why the specimen could not even settle
@@ -114,6 +122,7 @@ class RockResults {
     history_file_.close();
     if (energy_) energy_->close();
     if (joints_) joints_->close();
+    if (leak_) leak_->close();
     folder_.write("report.html", RockReport<Config>(config_, manifest_).html(reason));
   }
 
@@ -170,6 +179,7 @@ class RockResults {
     s.set("threads", manifest_.threads);
     if (energy_) energy_->summarise(s);
     if (joints_) joints_->summarise(s, sim, paper_case(config_));
+    if (leak_) leak_->summarise(s, sim);
     if (const auto prediction = prediction_of(measured_, config_))
       summarise(s, *prediction, same_rock(*measured_, config_), outcome_.end);
     const auto kgd = paper_kgd(config_, outcome_.end.time);
@@ -193,6 +203,7 @@ class RockResults {
   observe::ParaView paraview_;
   std::optional<EnergyRecord<Sim>> energy_;  // if the books are kept
   std::optional<JointRecord<Sim>> joints_;   // if there are natural fractures
+  std::optional<LeakRecord<Sim>> leak_;      // if the crack loses fluid
   RockOutcome outcome_;
 };
 

@@ -13,6 +13,7 @@
 #include <hfdem/pressure/conventional.hpp>
 #include <hfdem/pressure/implicit.hpp>
 #include <hfdem/pressure/uniform.hpp>
+#include <hfdem/simulator_params.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -35,18 +36,28 @@ inline SchemeWords words_of(const UniformPressure::Params& p) {
                        : SchemeWords{"uniform", "paper", "by the paper's rule", "uniform pressure",
                                      "by the paper's rule"};
 }
-inline SchemeWords words_of(const ConventionalFlow<>::Params&) {
+inline SchemeWords words_of(const ConventionalFlowParams&) {
   return {"conventional", "explicit", "after one mechanical step", "a flowing fluid",
           "with explicit flow"};
 }
-inline SchemeWords words_of(const ImplicitFlow<>::Params&) {
+inline SchemeWords words_of(const ImplicitFlowParams&) {
   return {"implicit", "equilibrium", "at equilibrium", "a flowing fluid", "with implicit flow"};
 }
 
-/// Whether viscosity matters to a simulator.
+/// The scheme of a simulator.
+template <class Sim>
+using SchemeOf = std::remove_cvref_t<decltype(std::declval<const Sim&>().pressure_scheme())>;
+/// Whether viscosity matters in the crack of a simulator.
 template <class Sim>
 inline constexpr bool flows =
-    FlowScheme<std::remove_cvref_t<decltype(std::declval<const Sim&>().pressure_scheme())>>;
+    FlowScheme<SchemeOf<Sim>> &&
+    !std::is_same_v<typename SchemeOf<Sim>::Params, UniformPressure::Params>;
+/// Whether its crack loses fluid.
+template <class Sim>
+inline constexpr bool leaks = LeakoffOf<SchemeOf<Sim>>::leaks;
+/// Whether that flows through the rock.
+template <class Sim>
+inline constexpr bool seeps = FlowsThroughRock<SchemeOf<Sim>>;
 
 /// The fluid in a caption: ", a fluid of 100 cp"; nothing where its viscosity does not matter.
 template <class Sim>

@@ -1,64 +1,66 @@
 /// @file
-/// The table seeds.csv of a study over several rocks, read back.
+/// The table seeds.csv of a study over several rocks, read back, and how two of them compare.
 #pragma once
 
-#include <charconv>
 #include <cmath>
-#include <fstream>
-#include <map>
-#include <sstream>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include <hfdem/base/errors.hpp>
+#include <hfdem/measure/sample_mean.hpp>
+
+#include "support/csv_table.hpp"
 
 namespace hfdem::support {
 
 class SeedsTable {
  public:
   /// @throws InvalidParameter if there is no such table, or it is damaged
-  explicit SeedsTable(const std::string& path) {
-    std::ifstream in(path);
-    std::string line;
-    if (!std::getline(in, line))
-      throw InvalidParameter("cannot read " + path + ": it is written by a run with --seeds");
-    keys_ = cells(line);
-    while (std::getline(in, line)) {
-      const auto row = cells(line);
-      if (row.size() != keys_.size())
-        throw InvalidParameter(path + " is damaged: a row has " + std::to_string(row.size()) +
-                               " cells, the first line " + std::to_string(keys_.size()));
-      seeds_.push_back(static_cast<int>(number(row.front())));
-      for (std::size_t k = 1; k < row.size(); ++k)
-        values_[{seeds_.back(), keys_[k]}] = number(row[k]);
-    }
+  explicit SeedsTable(const std::string& path) : table_(path, "a run with --seeds") {
+    for (const double seed : table_.column("seed")) seeds_.push_back(static_cast<int>(seed));
   }
 
   const std::vector<int>& seeds() const { return seeds_; }
   /// Of a rock; not a number if the table has none.
   double value(int seed, std::string_view key) const {
-    const auto place = values_.find({seed, std::string(key)});
-    return place == values_.end() ? NAN : place->second;
+    const auto values = table_.column(key);
+    for (std::size_t k = 0; k < seeds_.size(); ++k)
+      if (seeds_[k] == seed) return values[k];
+    return NAN;
   }
 
  private:
-  static std::vector<std::string> cells(const std::string& line) {
-    std::vector<std::string> all;
-    std::istringstream in(line + ',');
-    for (std::string cell; std::getline(in, cell, ',');) all.push_back(cell);
-    return all;
-  }
-  static double number(const std::string& text) {
-    double value = NAN;
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-  }
-
-  std::vector<std::string> keys_;
+  CsvTable table_;
   std::vector<int> seeds_;
-  std::map<std::pair<int, std::string>, double> values_;
 };
+
+/// A reading of the same rocks in two studies.
+struct PairedReading {
+  measure::SampleMean first, second, change;  ///< over the rocks that have it in both
+  std::size_t rocks = 0;
+};
+
+/// @param factor to another unit
+inline PairedReading paired(const SeedsTable& first, const SeedsTable& second, std::string_view key,
+                            double factor) {
+  std::vector<double> a, b, change;
+  for (const int seed : first.seeds()) {
+    const double x = factor * first.value(seed, key), y = factor * second.value(seed, key);
+    if (!std::isfinite(x) || !std::isfinite(y)) continue;
+    a.push_back(x), b.push_back(y), change.push_back(x - y);
+  }
+  if (change.empty()) return {};
+  return {measure::SampleMean::of(a), measure::SampleMean::of(b), measure::SampleMean::of(change),
+          change.size()};
+}
+
+/// Whether a change has a sign, and which. @param expected +1 or -1, or 0 if nothing is expected
+/// @param as words for a change that is as expected
+inline std::string_view verdict(const measure::SampleMean& change, int expected,
+                                std::string_view as) {
+  if (!(std::abs(change.mean) > change.ci95)) return "not told apart";
+  if (expected == 0) return change.mean > 0 ? "more" : "less";
+  return change.mean * expected > 0 ? as : "the other way round";
+}
 
 }  // namespace hfdem::support

@@ -7,6 +7,7 @@
 #include <hfdem/analytic/joint_strength.hpp>
 #include <hfdem/analytic/kgd_regions.hpp>
 #include <hfdem/analytic/plate_growth.hpp>
+#include <hfdem/analytic/pore_diffusion.hpp>
 #include <hfdem/analytic/pressurised_crack.hpp>
 #include <hfdem/analytic/rock_fracture.hpp>
 #include <hfdem/analytic/stepwise_growth.hpp>
@@ -16,6 +17,7 @@
 #include <hfdem/base/version.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/contact/scattered_parallel_bond.hpp>
+#include <hfdem/leakoff/carter.hpp>
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/measure/elastic_moduli.hpp>
 #include <hfdem/measure/energy_ledger.hpp>
@@ -45,6 +47,7 @@
 #include <hfdem/pressure/conventional.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
+#include <hfdem/pressure/leaky_uniform.hpp>
 #include <hfdem/pressure/uniform.hpp>
 #include <hfdem/setup/fracture_file.hpp>
 #include <hfdem/setup/random_packing.hpp>
@@ -57,6 +60,8 @@
 #include <hfdem/neighbours/kd_tree.hpp>
 #endif
 #if __has_include(<Eigen/SparseCholesky>)
+#include <hfdem/leakoff/matrix_flow.hpp>
+#include <hfdem/observe/pore_map.hpp>
 #include <hfdem/pressure/implicit.hpp>
 #endif
 #if __has_include(<boost/geometry/index/rtree.hpp>)

@@ -9,11 +9,15 @@
 #include <hfdem/contact/smooth_platen.hpp>
 #include <hfdem/contact/unbreakable.hpp>
 #include <hfdem/fluid/newtonian.hpp>
+#include <hfdem/leakoff/carter.hpp>
+#include <hfdem/leakoff/matrix_flow.hpp>
+#include <hfdem/leakoff/none.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
 #include <hfdem/pressure/conventional.hpp>
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
 #include <hfdem/pressure/implicit.hpp>
+#include <hfdem/pressure/leaky_uniform.hpp>
 #include <hfdem/pressure/uniform.hpp>
 #include <hfdem/state/concepts.hpp>
 
@@ -206,6 +210,43 @@ static_assert(incomplete_fluid<FluidWithoutPressure, compressible>);
 static_assert(incomplete_fluid<FluidWithoutModulus, compressible>);
 static_assert(!FluidLaw<HyperbolicAperture> && !FluidLaw<UniformPressure> && !FluidLaw<int>);
 static_assert(!ApertureLaw<NewtonianFluid> && !PressureScheme<NewtonianFluid>);
+
+// ---- leak-off law -------------------------------------------------------------------------------
+
+enum LeakAtom : unsigned {
+  leak_params = 1,
+  leak_from_params = 2,
+  says_leaks = 4,
+  finds = 8,
+  tells = 16,
+  commits = 32
+};
+
+template <class L>
+constexpr unsigned leak_lacks = lacking({has_described_params<L>, constructible_from_params<L>,
+                                         says_whether_it_leaks<L>, finds_loss<L>, tells_loss<L>,
+                                         commits_loss<L>});
+
+template <class L, LeakAtom atom>
+constexpr bool incomplete_leak = leak_lacks<L> == atom && !LeakoffLaw<L>;
+
+static_assert(leak_lacks<Leak> == 0 && LeakoffLaw<Leak>);
+static_assert(incomplete_leak<WithoutFields<Leak>, leak_params>);
+static_assert(incomplete_leak<MadeFromNothing<Leak>, leak_from_params>);
+static_assert(incomplete_leak<LeakWithoutWord, says_leaks>);
+static_assert(incomplete_leak<LeakWithoutJoin, finds>);
+static_assert(incomplete_leak<LeakWithoutFinding, finds>);
+static_assert(incomplete_leak<LeakWithoutLoss, tells>);
+static_assert(incomplete_leak<LeakWithoutSlope, tells>);
+static_assert(incomplete_leak<LeakWithoutCommit, commits>);
+static_assert(incomplete_leak<LeakWithoutSum, commits>);
+static_assert(LeakoffLaw<NoLeakoff> && LeakoffLaw<CarterLeakoff> && LeakoffLaw<MatrixFlow>);
+static_assert(!LeakoffLaw<NewtonianFluid> && !LeakoffLaw<UniformPressure> && !LeakoffLaw<int>);
+static_assert(FlowScheme<LeakyUniformPressure<CarterLeakoff>>);
+static_assert(FlowScheme<ConventionalFlow<Fluid, Leak>> && FlowScheme<ImplicitFlow<Fluid, Leak>>);
+static_assert(FlowsThroughRock<ImplicitFlow<Fluid, MatrixFlow>>);
+static_assert(!FlowsThroughRock<ImplicitFlow<Fluid, Leak>> && !FlowsThroughRock<ImplicitFlow<>>);
+static_assert(!FlowsThroughRock<UniformPressure>);
 
 // ---- pressure scheme --------------------------------------------------------------------------
 

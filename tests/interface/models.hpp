@@ -10,6 +10,7 @@
 #include "least/contact_law.hpp"
 #include "least/fluid_law.hpp"
 #include "least/joint_law.hpp"
+#include "least/leakoff_law.hpp"
 #include "least/neighbour_search.hpp"
 #include "least/pressure_scheme.hpp"
 
@@ -21,6 +22,7 @@ using Law = GluedSprings;
 using Joint = GluedWalls;
 using Aperture = RoughWalls;
 using Fluid = DenserFluid;
+using Leak = FilterCake;
 using Scheme = PressureSteps;
 using Search = AllPairs;
 
@@ -270,6 +272,45 @@ struct FluidWithoutPressure : Fluid {
 struct FluidWithoutModulus : Fluid {
   using Fluid::Fluid;
   void modulus() = delete;
+};
+
+// ---- leak-off law -------------------------------------------------------------------------------
+
+struct LeakWithoutWord : Leak {
+  using Leak::Leak;
+
+ private:
+  static constexpr bool leaks = true;
+};
+
+struct LeakWithoutJoin : Leak {
+  using Leak::Leak;
+  void join(Network&) = delete;
+};
+
+struct LeakWithoutFinding : Leak {
+  using Leak::Leak;
+  void find_loss() {}
+};
+
+struct LeakWithoutLoss : Leak {
+  using Leak::Leak;
+  double loss(std::size_t) const { return 0; }
+};
+
+struct LeakWithoutSlope : Leak {
+  using Leak::Leak;
+  void slope(std::size_t) const {}
+};
+
+struct LeakWithoutCommit : Leak {
+  using Leak::Leak;
+  void commit() {}
+};
+
+struct LeakWithoutSum : Leak {
+  using Leak::Leak;
+  int leaked() const { return 0; }
 };
 
 // ---- pressure scheme --------------------------------------------------------------------------

@@ -31,35 +31,37 @@
 
 namespace hfdem {
 
+/// Steps and floor of `ConventionalFlow`, whatever its policies.
+struct ConventionalFlowParams {
+  double fluid_dt = 2e-6;
+  double limit_fraction = 0.8;
+  bool sub_cycling = true;
+  double pressure_floor = 0;
+
+  static constexpr auto fields() {
+    using P = ConventionalFlowParams;
+    return std::tuple{
+        Field{"fluid_dt", &P::fluid_dt, "s", positive,
+              "fluid time step, in which the discs move by one mechanical step"},
+        Field{"limit_fraction", &P::limit_fraction, "", Range{0, 1, true},
+              "time step of the flow over the longest stable one"},
+        Field{"sub_cycling", &P::sub_cycling, "", any_number,
+              "several steps of the flow per mechanical step; otherwise as many mechanical ones"},
+        Field{"pressure_floor", &P::pressure_floor, "Pa", any_number,
+              "least pressure of the fluid; far below zero, as -1e12, for none"}};
+  }
+};
+
 /// A `FlowScheme`: explicit.
 /// @tparam FluidPolicy law of the fluid
 /// @tparam LeakoffPolicy what the crack loses into the rock
 template <FluidLaw FluidPolicy = NewtonianFluid, LeakoffLaw LeakoffPolicy = NoLeakoff>
 class ConventionalFlow {
  public:
-  using Fluid = FluidPolicy;      ///< as composed
-  using Leakoff = LeakoffPolicy;  ///< as composed
+  using Fluid = FluidPolicy;              ///< as composed
+  using Leakoff = LeakoffPolicy;          ///< as composed
+  using Params = ConventionalFlowParams;  ///< as given
 
-  /// Steps and floor.
-  struct Params {
-    double fluid_dt = 2e-6;
-    double limit_fraction = 0.8;
-    bool sub_cycling = true;
-    double pressure_floor = 0;
-
-    static constexpr auto fields() {
-      using P = Params;
-      return std::tuple{
-          Field{"fluid_dt", &P::fluid_dt, "s", positive,
-                "fluid time step, in which the discs move by one mechanical step"},
-          Field{"limit_fraction", &P::limit_fraction, "", Range{0, 1, true},
-                "time step of the flow over the longest stable one"},
-          Field{"sub_cycling", &P::sub_cycling, "", any_number,
-                "several steps of the flow per mechanical step; otherwise as many mechanical ones"},
-          Field{"pressure_floor", &P::pressure_floor, "Pa", any_number,
-                "least pressure of the fluid; far below zero, as -1e12, for none"}};
-    }
-  };
   static constexpr bool holds_fluid = true;  ///< needs a crack to enter
 
   /// @param params validated

@@ -44,39 +44,41 @@
 
 namespace hfdem {
 
+/// Step, tolerances and floor of `ImplicitFlow`, whatever its policies.
+struct ImplicitFlowParams {
+  double fluid_dt = 1e-4;
+  double volume_tolerance = 1e-3;
+  double unbalanced_tolerance = 1e-3;
+  int max_mechanical_steps = 1000;
+  double pressure_floor = 0;
+
+  static constexpr auto fields() {
+    using P = ImplicitFlowParams;
+    return std::tuple{
+        Field{"fluid_dt", &P::fluid_dt, "s", positive,
+              "longest fluid time step; shorter where one does not converge"},
+        Field{"volume_tolerance", &P::volume_tolerance, "", Range{0, 1, true},
+              "largest volume without its room at the end of a fluid step, over that injected, "
+              "or over that of the unloaded crack if that is more"},
+        Field{"unbalanced_tolerance", &P::unbalanced_tolerance, "", positive,
+              "largest resultant on a disc over the mean contact force at equilibrium"},
+        Field{"max_mechanical_steps", &P::max_mechanical_steps, "", Range{1},
+              "mechanical steps after which a fluid step ends in any case"},
+        Field{"pressure_floor", &P::pressure_floor, "Pa", any_number,
+              "least pressure of the fluid; far below zero, as -1e12, for none"}};
+  }
+};
+
 /// A `FlowScheme`: implicit.
 /// @tparam FluidPolicy law of the fluid
 /// @tparam LeakoffPolicy what the crack loses into the rock
 template <FluidLaw FluidPolicy = NewtonianFluid, LeakoffLaw LeakoffPolicy = NoLeakoff>
 class ImplicitFlow {
  public:
-  using Fluid = FluidPolicy;      ///< as composed
-  using Leakoff = LeakoffPolicy;  ///< as composed
+  using Fluid = FluidPolicy;          ///< as composed
+  using Leakoff = LeakoffPolicy;      ///< as composed
+  using Params = ImplicitFlowParams;  ///< as given
 
-  /// Step, tolerances and floor.
-  struct Params {
-    double fluid_dt = 1e-4;
-    double volume_tolerance = 1e-3;
-    double unbalanced_tolerance = 1e-3;
-    int max_mechanical_steps = 1000;
-    double pressure_floor = 0;
-
-    static constexpr auto fields() {
-      using P = Params;
-      return std::tuple{
-          Field{"fluid_dt", &P::fluid_dt, "s", positive,
-                "longest fluid time step; shorter where one does not converge"},
-          Field{"volume_tolerance", &P::volume_tolerance, "", Range{0, 1, true},
-                "largest volume without its room at the end of a fluid step, over that injected, "
-                "or over that of the unloaded crack if that is more"},
-          Field{"unbalanced_tolerance", &P::unbalanced_tolerance, "", positive,
-                "largest resultant on a disc over the mean contact force at equilibrium"},
-          Field{"max_mechanical_steps", &P::max_mechanical_steps, "", Range{1},
-                "mechanical steps after which a fluid step ends in any case"},
-          Field{"pressure_floor", &P::pressure_floor, "Pa", any_number,
-                "least pressure of the fluid; far below zero, as -1e12, for none"}};
-    }
-  };
   static constexpr bool holds_fluid = true;  ///< needs a crack to enter
 
   /// @param params validated

@@ -111,9 +111,10 @@ class Network {
     pressure_[domain] = pressure;
   }
 
-  /// Sets the pressure of a domain that is not wet, Pa: a pore of the rock, which pushes its discs.
+  /// Sets the pressure of a pore of the rock, Pa, which pushes its discs. A domain that has turned
+  /// wet meanwhile is none: it keeps the pressure of the crack.
   void soak(Index domain, double pressure) {
-    assert(!wet_domain_[domain]);
+    if (wet_domain_[domain]) return;
     if (pressure > 0) push_discs(domain);
     pressure_[domain] = pressure;
   }

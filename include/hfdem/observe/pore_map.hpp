@@ -1,0 +1,98 @@
+/// \file
+/// The pressure in the pores of a rock that leaks, with the trace of the crack (the paper's
+/// Fig. 17b).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <hfdem/measure/microcracks.hpp>
+#include <hfdem/measure/pores.hpp>
+#include <hfdem/observe/colour_bar.hpp>
+#include <hfdem/observe/specimen_picture.hpp>
+#include <hfdem/observe/svg.hpp>
+
+namespace hfdem::observe {
+
+/// Pores around a crack.
+struct PoreMap {
+  std::vector<measure::Pore> pores{};              ///< those without pressure or fluid stay blank
+  std::vector<measure::Microcrack> microcracks{};  ///< the connected ones are drawn
+  double saturation = 0.0;                         ///< how full pores were at first
+  Vec2 injection{};                                ///< m
+  double width = 1.0, height = 1.0;                ///< of the specimen, m
+  std::optional<Range> range = std::nullopt;       ///< MPa; unset: from zero to the highest
+  std::string title{};                             ///< above the picture
+  std::string caption{};                           ///< what to see
+  std::string conditions{};                        ///< with which parameters
+};
+
+namespace drawing {
+
+inline constexpr Colour damp{203, 215, 228};  // fluid without pressure
+
+/// The part of a specimen that holds all pores that are drawn, and half as much around it.
+inline Box seen_part(const PoreMap& map) {
+  Range x = no_range, y = no_range;
+  for (const auto& pore : map.pores) {
+    if (pore.pressure <= 0.0 && pore.filling <= map.saturation) continue;
+    include(x, pore.centre.x), include(y, pore.centre.y);
+  }
+  if (!(x.low <= x.high)) return {0.0, 0.0, map.width, map.height};
+  const double side =
+      std::min(std::max(map.width, map.height), 1.5 * std::max(x.high - x.low, y.high - y.low));
+  const double width = std::min(side, map.width), height = std::min(side, map.height);
+  return {std::clamp((x.low + x.high - width) / 2.0, 0.0, map.width - width),
+          std::clamp((y.low + y.high - height) / 2.0, 0.0, map.height - height), width, height};
+}
+
+}  // namespace drawing
+
+/// The picture as SVG; in a file it is at most 700 pixels wide. It shows the part of the specimen
+/// in which there is fluid.
+inline std::string svg(const PoreMap& map, Medium medium = Medium::file) {
+  using namespace drawing;
+  const Box part = seen_part(map);
+  Panel panel{.scale =
+                  (medium == Medium::phone ? 290.0 : 540.0) / std::max(part.width, part.height)};
+  panel.box = {.width = part.width * panel.scale, .height = part.height * panel.scale};
+  panel.from_left = part.left, panel.from_bottom = part.top;
+
+  double highest = 0.0;
+  for (const auto& pore : map.pores) highest = std::max(highest, 1e-6 * pore.pressure);
+  const ColourScale scale{map.range.value_or(Range{0.0, highest > 0.0 ? highest : 1.0}), 20};
+  Path moist;
+  std::vector<Path> full(static_cast<std::size_t>(scale.bands));
+  for (const auto& pore : map.pores) {
+    if (pore.pressure <= 0.0 && pore.filling <= map.saturation) continue;
+    Path& path = pore.pressure > 0.0
+                     ? full[static_cast<std::size_t>(scale.band(1e-6 * pore.pressure))]
+                     : moist;
+    for (std::size_t k = 0; k < pore.corners.size(); ++k) {
+      const Pixel at = panel.pixel(pore.corners[k].x, pore.corners[k].y);
+      k == 0 ? path.move_to(at) : path.line_to(at);
+    }
+  }
+  std::string filled = moist.element(fill(damp));
+  for (int band = 0; band < scale.bands; ++band)
+    filled += full[static_cast<std::size_t>(band)].element(fill(scale.colour(band)));
+  Strokes trace;
+  for (const auto& m : map.microcracks)
+    if (m.connected)
+      trace.add(panel.pixel(m.facet.from.x, m.facet.from.y),
+                panel.pixel(m.facet.to.x, m.facet.to.y), 1.6);
+  const std::string body =
+      rock(window(panel.box, rectangle(panel.box, fill(stone)) + filled +
+                                 trace.elements(okabe_ito::black) +
+                                 injection_mark(panel.pixel(map.injection.x, map.injection.y)))) +
+      rectangle(panel.box, stroke(grey, 1.0)) + panel.scale_bar(18.0) +
+      colour_bar({panel.box.right() + 24.0, 40.0, 16.0, panel.box.height - 60.0}, scale, "MPa");
+  return sheet(map.title, map.caption, map.conditions, panel.box.right() + 90.0,
+               panel.box.bottom() + 26.0, body, medium);
+}
+
+}  // namespace hfdem::observe
