@@ -8,8 +8,11 @@
 // out/leakoff/report.html. `--fluid sc-co2` answers what the paper leaves open; `--quick` runs a
 // tenth of the area in some seconds; `--seeds 5` gives means and intervals; `--help` lists the
 // options.
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -67,8 +70,12 @@ class LeakoffStudy {
                                             : std::string());
       }
     }
+    const std::string first =
+        common.out + "/without" +
+        (options_.seeds > 1 ? "/seed_" + std::to_string(config_.specimen.seed) : std::string());
+    const auto discs = static_cast<long>(load_specimen(first + "/specimen.txt").size());
     const LeakoffComparison comparison(folder, parts, config_.specimen.seed, options_.seeds,
-                                       described(config_, config_.specimen.grains));
+                                       described(config_, discs));
     comparison.write(checkpoint.manifest());
     checkpoint.discard();
     if (!common.quiet)

@@ -123,7 +123,7 @@ void complete(Study& study, const RegimesConfig& config, const CommandLine& opti
 int run(const CommandLine& options, const RegimesConfig& config, const Manifest& made) {
   Checkpoint checkpoint(options, made, to_toml(config));
   const OutputFolder folder(options.out);
-  folder.discard(RegimesResults::files);
+  folder.discard(RegimesResults::files());
   folder.write("config.toml", to_toml(config));
   Study study;
   Stopwatch watch;

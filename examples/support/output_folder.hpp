@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <hfdem/base/whole_file.hpp>
 
@@ -42,6 +43,9 @@ class OutputFolder {
 
   void discard(std::initializer_list<const char*> names) const {
     discard(std::span(names.begin(), names.size()));
+  }
+  void discard(const std::vector<std::string>& names) const {
+    for (const std::string& name : names) discard({name.c_str()});
   }
 
   /// @throws OutputFailed if anything written to the file was lost

@@ -16,7 +16,7 @@ namespace hfdem::support {
 
 inline std::string said_rocks(const RegimesConfig& config) {
   const RegimeRock& p = config.tough;
-  return "Square arrays of discs of radius 5 mm, no leak-off; contacts of " +
+  return "Square arrays of discs of radius 5 mm; contacts of " +
          in_words(p.tensile_strength / 1e6) + " MPa under " + in_words(p.across / 1e6) +
          " MPa, and of " + in_words(config.weak.tensile_strength / 1e6) + " MPa under " +
          in_words(config.weak.across / 1e6) + " MPa.";
@@ -24,14 +24,15 @@ inline std::string said_rocks(const RegimesConfig& config) {
 
 inline std::string verdict(const RegimePoint& p) {
   return "length " + difference(p.ours.half_length, p.kgd_half_length()) + ", opening " +
-         difference(p.opening(), p.kgd_opening());
+         difference(p.opening(), p.kgd_opening()) +
+         (p.leaks() ? ", efficiency " + difference(p.efficiency(), p.kgd_efficiency()) : "");
 }
 
 /// The cracks that came to their end, on the map of regimes.
 inline observe::RegimeMap regimes_map(const RegimesConfig& config,
                                       const std::vector<RegimePoint>& points) {
   observe::RegimeMap map{
-      .title = "From toughness to viscosity",
+      .title = "From toughness to viscosity, from storage to leak-off",
       .caption =
           "Each ring is a crack through an array of discs. Below its name stands how far "
           "its length and its opening at the injection are from the general solution for "
@@ -45,8 +46,10 @@ inline observe::RegimeMap regimes_map(const RegimesConfig& config,
 inline std::string said_crack(const RegimePoint& p) {
   return in_words(p.crack.viscosity * 1e3) + " cp, " + in_words(p.crack.rate * 1e4) +
          " × 10^{-4} m²/s, " + in_words(p.crack.time) + " s; " + std::to_string(p.crack.discs) +
-         " x " + std::to_string(p.crack.discs) + " discs; K_{m} " +
-         observe::fixed(p.reference.K_m(), 2) + ".";
+         " x " + std::to_string(p.crack.discs) + " discs; " +
+         (p.leaks() ? "C_{L} " + in_words(p.crack.leakoff * 1e3) + " mm/s^{1/2}; "
+                    : std::string()) +
+         "K_{m} " + observe::fixed(p.reference.K_m(), 2) + ".";
 }
 
 /// Ours and KGD's along one wing.

@@ -13,6 +13,7 @@
 
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
+#include <hfdem/leakoff/carter.hpp>
 #include <hfdem/neighbours/fixed_pairs.hpp>
 #include <hfdem/pressure/implicit.hpp>
 #include <hfdem/setup/square_array.hpp>
@@ -23,7 +24,8 @@
 
 namespace hfdem::support {
 
-using RegimeArray = Simulator<LinearParallelBond, HyperbolicAperture, ImplicitFlow<>, FixedPairs>;
+using RegimeArray = Simulator<LinearParallelBond, HyperbolicAperture,
+                              ImplicitFlow<NewtonianFluid, CarterLeakoff>, FixedPairs>;
 
 /// What makes an array of discs tough: the strength of its contacts and the stress that closes
 /// them. The stress along the crack is high, so that it grows straight: fluid that has just entered
@@ -77,6 +79,8 @@ struct RegimeCase {
   double viscosity = 0;
   double rate = 0;
   double time = 0;
+  double leakoff = 0;
+  double fluid_dt = 1e-3;
 
   static constexpr auto fields() {
     using P = RegimeCase;
@@ -85,19 +89,21 @@ struct RegimeCase {
         Field{"discs", &P::discs, "", Range{20, 1000}, "along each side"},
         Field{"viscosity", &P::viscosity, "Pa s", positive, "of the fluid"},
         Field{"rate", &P::rate, "m2/s", positive, "total injection rate"},
-        Field{"time", &P::time, "s", positive, "of injection, around which the crack is compared"}};
+        Field{"time", &P::time, "s", positive, "of injection, around which the crack is compared"},
+        Field{"leakoff", &P::leakoff, "m/s^0.5", non_negative, "Carter's coefficient C_L"},
+        Field{"fluid_dt", &P::fluid_dt, "s", positive,
+              "longest fluid time step: in one of them, walls that have just turned wet must not "
+              "lose many times what is between them"}};
   }
 };
 
-/// Fluid steps, as those of `ImplicitFlow`.
+/// When a fluid step ends, as in `ImplicitFlow`.
 struct RegimeSteps {
-  double fluid_dt = 1e-3;
   double unbalanced_tolerance = 1e-3;
 
   static constexpr auto fields() {
     using P = RegimeSteps;
     return std::tuple{
-        Field{"fluid_dt", &P::fluid_dt, "s", positive, "longest fluid time step"},
         Field{"unbalanced_tolerance", &P::unbalanced_tolerance, "", positive,
               "largest resultant on a disc over the mean contact force at equilibrium"}};
   }
@@ -105,14 +111,14 @@ struct RegimeSteps {
 
 /// How much is studied, and how it is read.
 struct RegimesStudy {
-  int cracks = 5;
+  int cracks = 9;
   double window = 0.1;
   int slit_discs = 60;
 
   static constexpr auto fields() {
     using P = RegimesStudy;
     return std::tuple{
-        Field{"cracks", &P::cracks, "", Range{1, 5}, "how many, from the toughness vertex on"},
+        Field{"cracks", &P::cracks, "", Range{1, 9}, "how many, from the toughness vertex on"},
         Field{"window", &P::window, "", Range{0.01, 0.5},
               "half the time over which means are taken, over the time itself"},
         Field{"slit_discs", &P::slit_discs, "", Range{20, 1000},
@@ -137,16 +143,28 @@ struct RegimesConfig : SectionTree<RegimesConfig> {
   RegimeSteps steps;
   measure::SlitSeries slits{.shortest = 8, .longest = 24, .count = 2, .accuracy = 2e-3};
   RegimesStudy study;
-  /// From the toughness vertex to the viscosity vertex.
-  std::array<RegimeCase, 5> cracks{RegimeCase{RockKind::tough, 120, 1e-4, 1e-4, 0.35},
-                                   RegimeCase{RockKind::tough, 100, 1e-3, 1e-4, 0.25},
-                                   RegimeCase{RockKind::tough, 100, 1e-2, 2e-4, 0.12},
-                                   RegimeCase{RockKind::tough, 120, 0.1, 3e-4, 0.16},
-                                   RegimeCase{RockKind::weak, 200, 0.2, 6e-4, 0.4}};
+  /// From the toughness vertex to the viscosity vertex, then with leak-off.
+  std::array<RegimeCase, 9> cracks{
+      RegimeCase{RockKind::tough, 120, 1e-4, 1e-4, 0.35},
+      RegimeCase{RockKind::tough, 100, 1e-3, 1e-4, 0.25},
+      RegimeCase{RockKind::tough, 100, 1e-2, 2e-4, 0.12},
+      RegimeCase{RockKind::tough, 120, 0.1, 3e-4, 0.16},
+      RegimeCase{RockKind::weak, 200, 0.2, 6e-4, 0.4},
+      RegimeCase{RockKind::tough, 100, 1e-4, 3e-4, 0.3, 1.2e-4},
+      RegimeCase{RockKind::tough, 120, 2e-5, 3.7e-4, 10, 8.8e-4},
+      RegimeCase{RockKind::tough, 120, 0.05, 2e-3, 0.2, 6e-4},
+      RegimeCase{RockKind::tough, 120, 0.02, 1.15e-2, 1, 9.1e-3, 1e-4}};
 
   /// Of the cracks, as sections and files have them.
-  static constexpr std::array<std::string_view, 5> names{
-      "toughness_vertex", "toughness_edge", "middle", "viscosity_edge", "viscosity_vertex"};
+  static constexpr std::array<std::string_view, 9> names{"toughness_vertex",
+                                                         "toughness_edge",
+                                                         "middle",
+                                                         "viscosity_edge",
+                                                         "viscosity_vertex",
+                                                         "leak_off_toughness_edge",
+                                                         "leak_off_toughness_vertex",
+                                                         "leak_off_viscosity_edge",
+                                                         "leak_off_viscosity_vertex"};
 
   /// Two cracks on the edge, while they are short.
   void shrink() {
@@ -188,7 +206,8 @@ struct RegimesConfig : SectionTree<RegimesConfig> {
             .in_situ = l.in_situ,
             .injection = {.rate = crack.rate},
             .fluid = {.viscosity = crack.viscosity},
-            .scheme = {.fluid_dt = steps.fluid_dt,
+            .leakoff = {.coefficient = crack.leakoff},
+            .scheme = {.fluid_dt = crack.fluid_dt,
                        .unbalanced_tolerance = steps.unbalanced_tolerance,
                        .pressure_floor = rock(crack.rock).pressure_floor}};
   }

@@ -32,11 +32,21 @@ struct RegimePoint {
   double kgd_opening() const { return reference.fracture.width; }
   double kgd_half_length() const { return reference.fracture.half_length; }
 
+  bool leaks() const { return crack.leakoff > 0; }
+  /// Of a continuum that lost as much: its crack holds more than ours.
+  double efficiency() const { return 1 - ours.leaked * crack.rate / reference.problem.rate; }
+  double kgd_efficiency() const { return reference.fracture.efficiency; }
+
   bool length_holds() const {
-    return RegimeTolerance::length_holds(ours.half_length, kgd_half_length(), disc);
+    return RegimeTolerance::length_holds(ours.half_length, kgd_half_length(), disc, leaks());
+  }
+  bool efficiency_holds() const {
+    return !leaks() || RegimeTolerance::efficiency_holds(efficiency(), kgd_efficiency());
   }
   bool opening_holds() const { return RegimeTolerance::opening_holds(opening(), kgd_opening()); }
-  bool holds() const { return ours.stopped.empty() && length_holds() && opening_holds(); }
+  bool holds() const {
+    return ours.stopped.empty() && length_holds() && opening_holds() && efficiency_holds();
+  }
 };
 
 /// The cracks that came to their end.
@@ -74,9 +84,10 @@ inline RegimePoint regime_point(const RegimesConfig& config, std::size_t number,
                     .disc = 2 * l.specimen.radius};
   point.name = point.key;
   std::replace(point.name.begin(), point.name.end(), '_', ' ');
+  if (point.name.starts_with("leak off")) point.name[4] = '-';
   if (!ours.stopped.empty()) return point;
   const auto reference = [&](ToughnessAt at) {
-    return regime_reference(rock, c.viscosity, c.rate, ours.time, point.disc, at);
+    return regime_reference(rock, c.viscosity, c.rate, ours.time, c.leakoff, point.disc, at);
   };
   point.reference = reference(ToughnessAt::tip);
   point.mean_toughness = reference(ToughnessAt::mean);

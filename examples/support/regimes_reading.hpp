@@ -11,6 +11,7 @@
 
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/state/step.hpp>
+#include <hfdem/state/volume_balance.hpp>
 
 namespace hfdem::support {
 
@@ -29,6 +30,7 @@ struct CrackReading {
   double net_pressure = 0;           ///< at the injection, Pa
   double least_pressure = INFINITY;  ///< of all wet domains and fluid steps of the window, Pa
   double lag = 0;                    ///< part of the crack at the least pressure
+  double leaked = 0;                 ///< part of the injection that is in the rock
   std::vector<MeanPoint> profile{};  ///< of one wing, where it was broken all the time
   int off_plane = 0;                 ///< bonds that broke beside the crack's line, in all
   long unconverged = 0;              ///< fluid steps, in all
@@ -36,8 +38,8 @@ struct CrackReading {
   std::string stopped{};             ///< why the run ended early; empty if it did not
 
   void exchange(auto& archive) {
-    archive(time, half_length, opening, net_pressure, least_pressure, lag, profile, off_plane,
-            unconverged, mechanical_steps, stopped);
+    archive(time, half_length, opening, net_pressure, least_pressure, lag, leaked, profile,
+            off_plane, unconverged, mechanical_steps, stopped);
   }
 };
 
@@ -63,6 +65,8 @@ class CrackWatch {
     sums_.half_length += dt * shape.full_length() / 2;
     sums_.opening += dt * shape.opening;
     sums_.net_pressure += dt * (sim.injection_pressure() - closing_);
+    const VolumeBalance volumes = sim.volume_balance();
+    sums_.leaked += dt * volumes.leaked / volumes.injected;
     const auto domains = sim.network().wet_domains();
     for (const Index d : domains) {
       const double pressure = sim.network().pressure(d);
@@ -83,8 +87,8 @@ class CrackWatch {
   template <class Sim>
   CrackReading reading(const Sim& sim) const {
     CrackReading mean = sums_;
-    for (double* sum :
-         {&mean.time, &mean.half_length, &mean.opening, &mean.net_pressure, &mean.lag})
+    for (double* sum : {&mean.time, &mean.half_length, &mean.opening, &mean.net_pressure, &mean.lag,
+                        &mean.leaked})
       *sum /= seconds_;
     for (const auto& [micrometres, place] : places_)
       if (place.seconds > (1 - 1e-9) * seconds_)

@@ -51,15 +51,17 @@ struct RegimeReference {
 /// @param viscosity Pa s
 /// @param rate m2/s
 /// @param time s
+/// @param leakoff Carter's C_L, m/s^0.5
 /// @param disc diameter, m
 /// @param at where the toughness is that of the pressure
 /// @throws InvalidParameter if a number is out of range
 inline RegimeReference regime_reference(const analytic::LatticeFracture& rock, double viscosity,
-                                        double rate, double time, double disc,
+                                        double rate, double time, double leakoff, double disc,
                                         ToughnessAt at = ToughnessAt::tip) {
   RegimeReference r{.problem = {.E_prime = rock.E_prime,
                                 .K_IC = rock.K_IC,
                                 .viscosity = viscosity,
+                                .leak_off = leakoff,
                                 .rate = rate,
                                 .time = time}};
   const auto pressure = [&] {
@@ -80,11 +82,18 @@ inline RegimeReference regime_reference(const analytic::LatticeFracture& rock, d
 
 /// How far a crack may be from the fracture.
 struct RegimeTolerance {
-  static constexpr double length = 0.05;   ///< of the half-length, if that is more than a disc
-  static constexpr double opening = 0.08;  ///< of the opening
+  static constexpr double length = 0.05;      ///< of the half-length, if that is more than a disc
+  static constexpr double opening = 0.08;     ///< of the opening
+  static constexpr double efficiency = 0.08;  ///< of the efficiency
+  static constexpr double length_with_leak_off = 0.08;  ///< instead of the other two
 
-  static bool length_holds(double half_length, double reference, double disc) {
-    return std::abs(half_length - reference) <= std::fmax(disc, length * reference);
+  static bool length_holds(double half_length, double reference, double disc, bool leaks) {
+    const double allowed =
+        leaks ? length_with_leak_off * reference : std::fmax(disc, length * reference);
+    return std::abs(half_length - reference) <= allowed;
+  }
+  static bool efficiency_holds(double ours, double reference) {
+    return std::abs(ours / reference - 1) <= efficiency;
   }
   static bool opening_holds(double ours, double reference) {
     return std::abs(ours / reference - 1) <= opening;

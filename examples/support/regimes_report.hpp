@@ -25,7 +25,7 @@ class RegimesReport {
 
   std::string html() const {
     observe::Report page;
-    page.title = "From toughness to viscosity";
+    page.title = "From toughness to viscosity, from storage to leak-off";
     page.lead =
         "Fluids of several viscosities drive cracks through square arrays of bonded discs, "
         "beside the KGD fracture without any fit. " +
@@ -36,7 +36,7 @@ class RegimesReport {
     const auto good = std::ranges::count_if(points_, [](const auto& p) { return p.holds(); });
     page.text(std::to_string(good) + " of " + std::to_string(points_.size()) +
               " cracks have a half-length within a disc or 5 % of the reference, an opening "
-              "within 8 %.");
+              "within 8 %; with leak-off a half-length, an opening and an efficiency within 8 %.");
     page.figure(regimes_map(config_, points_));
     page.table(table());
     page.section("Along the cracks");
@@ -90,7 +90,7 @@ class RegimesReport {
             "slits. f_{w} and f_{K} are what the finite plate does to opening and stress "
             "intensity.",
         .header = {"crack", "K_{m}", "half-length", "KGD", "", "opening", "KGD", "", "net pressure",
-                   "KGD", "2a/W", "f_{w}", "f_{K}"}};
+                   "KGD", "2a/W", "f_{w}", "f_{K}", "efficiency", "KGD", ""}};
     for (const RegimePoint* p : arrived(points_))
       t.rows.push_back(
           {p->name, observe::fixed(p->reference.K_m(), 2), metres(p->ours.half_length),
@@ -98,7 +98,9 @@ class RegimesReport {
            micrometres(p->opening()), micrometres(p->kgd_opening()),
            difference(p->opening(), p->kgd_opening()), megapascals(p->ours.net_pressure),
            megapascals(p->reference.fracture.net_pressure), observe::fixed(p->length_to_width, 3),
-           observe::fixed(p->plate.width, 3), observe::fixed(p->plate.toughness, 3)});
+           observe::fixed(p->plate.width, 3), observe::fixed(p->plate.toughness, 3),
+           observe::fixed(p->efficiency(), 4), observe::fixed(p->kgd_efficiency(), 4),
+           difference(p->efficiency(), p->kgd_efficiency())});
     return t;
   }
 

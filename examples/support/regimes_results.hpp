@@ -19,21 +19,15 @@ namespace hfdem::support {
 
 class RegimesResults {
  public:
-  static constexpr std::initializer_list<const char*> files{"report.html",
-                                                            "summary.json",
-                                                            "points.csv",
-                                                            "profiles.csv",
-                                                            "map.svg",
-                                                            "toughness_vertex_opening.svg",
-                                                            "toughness_vertex_pressure.svg",
-                                                            "toughness_edge_opening.svg",
-                                                            "toughness_edge_pressure.svg",
-                                                            "middle_opening.svg",
-                                                            "middle_pressure.svg",
-                                                            "viscosity_edge_opening.svg",
-                                                            "viscosity_edge_pressure.svg",
-                                                            "viscosity_vertex_opening.svg",
-                                                            "viscosity_vertex_pressure.svg"};
+  /// What is written, whichever cracks are run.
+  static std::vector<std::string> files() {
+    std::vector<std::string> all{"report.html", "summary.json", "points.csv", "profiles.csv",
+                                 "map.svg"};
+    for (const std::string_view name : RegimesConfig::names)
+      for (const char* what : {"_opening.svg", "_pressure.svg"})
+        all.push_back(std::string(name) + what);
+    return all;
+  }
 
   /// @param rocks as their slits say, in the order of `config.rocks()`
   /// @param cracks that were run, in their order
@@ -69,22 +63,25 @@ class RegimesResults {
   /// The table for a terminal.
   std::string text() const {
     std::string text =
-        "                    K_m   half-length    KGD            opening     KGD            "
-        "net p   KGD     2a/W   f_w    f_K\n";
+        "                            K_m   half-length    KGD            opening     KGD           "
+        " "
+        "net p   KGD     2a/W   f_w    f_K    efficiency  KGD\n";
     for (const RegimePoint& p : points_) {
-      char line[240];
+      char line[300];
       if (!p.ours.stopped.empty())
-        std::snprintf(line, sizeof line, "%-17s stopped: %.180s\n", p.name.c_str(),
+        std::snprintf(line, sizeof line, "%-25s stopped: %.180s\n", p.name.c_str(),
                       p.ours.stopped.c_str());
       else
         std::snprintf(line, sizeof line,
-                      "%-17s %5.2f   %.3f m       %.3f m %+5.1f %%   %5.1f um  %5.1f um %+5.1f %%  "
-                      "%5.2f   %5.2f   %.3f  %.3f  %.3f%s\n",
+                      "%-25s %5.2f   %.3f m       %.3f m %+5.1f %%   %5.1f um  %5.1f um %+5.1f %%  "
+                      "%5.2f   %5.2f   %.3f  %.3f  %.3f  %.4f  %.4f %+5.1f %%%s\n",
                       p.name.c_str(), p.reference.K_m(), p.ours.half_length, p.kgd_half_length(),
                       percent(p.ours.half_length, p.kgd_half_length()), p.opening() * 1e6,
                       p.kgd_opening() * 1e6, percent(p.opening(), p.kgd_opening()),
                       p.ours.net_pressure / 1e6, p.reference.fracture.net_pressure / 1e6,
-                      p.length_to_width, p.plate.width, p.plate.toughness, p.holds() ? "" : "  !");
+                      p.length_to_width, p.plate.width, p.plate.toughness, p.efficiency(),
+                      p.kgd_efficiency(), percent(p.efficiency(), p.kgd_efficiency()),
+                      p.holds() ? "" : "  !");
       text += line;
     }
     return text;
@@ -100,6 +97,10 @@ class RegimesResults {
     f("viscosity_Pa_s", p.crack.viscosity);
     f("rate_m2_per_s", p.crack.rate);
     f("time_s", p.ours.time);
+    f("leak_off_coefficient", p.crack.leakoff);
+    f("tau", analytic::dimensionless_time(p.reference.problem));
+    f("efficiency", p.efficiency());
+    f("kgd_efficiency", p.kgd_efficiency());
     f("discs_per_side", double(p.crack.discs));
     f("half_length_m", p.ours.half_length);
     f("kgd_half_length_m", p.kgd_half_length());
@@ -165,6 +166,7 @@ class RegimesResults {
       s.compare(at + "net_pressure", p.ours.net_pressure, p.reference.fracture.net_pressure);
       s.set(at + "length_holds", p.length_holds());
       s.set(at + "opening_holds", p.opening_holds());
+      s.set(at + "efficiency_holds", p.efficiency_holds());
     }
     const auto kinds = config_.rocks();
     for (std::size_t r = 0; r < rocks_.size(); ++r) {

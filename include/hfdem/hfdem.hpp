@@ -61,6 +61,7 @@
 #endif
 #if __has_include(<Eigen/SparseCholesky>)
 #include <hfdem/leakoff/matrix_flow.hpp>
+#include <hfdem/measure/permeability.hpp>
 #include <hfdem/observe/pore_map.hpp>
 #include <hfdem/pressure/implicit.hpp>
 #endif

@@ -23,12 +23,12 @@ double lose(CarterLeakoff& law, hfdem::Network& network, double dt, std::vector<
   const std::vector<double> pressure(stored.size(), 1e6);
   law.join(network);
   law.find_loss(network, fluid, dt, {pressure, stored}, Euler::backward);
+  law.commit(network, fluid, {pressure, stored});
   double lost = 0;
   for (std::size_t d = 0; d < law.size(); ++d) {
     lost += law.loss(d, 0);
     stored[d] -= law.loss(d, 0);
   }
-  law.commit(network, fluid, pressure);
   return lost;
 }
 

@@ -49,7 +49,7 @@ struct HalfPlane {
     rock.join(network);
     for (int n = 0; n < steps; ++n) {
       rock.find_loss(network, fluid, time / steps, {wall, stored}, euler);
-      rock.commit(network, fluid, wall);
+      rock.commit(network, fluid, {wall, stored});
       for (std::size_t d = 0; d < rock.size(); ++d) lost += rock.loss(d, wall[d]);
     }
     return lost;

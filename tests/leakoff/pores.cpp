@@ -75,7 +75,7 @@ struct Rock {
     law.join(network);
     for (int n = 0; n < steps; ++n) {
       law.find_loss(network, fluid, time / steps, {pressure, stored}, euler);
-      law.commit(network, fluid, pressure);
+      law.commit(network, fluid, {pressure, stored});
       lost += law.loss(0, pressure[0]);
     }
     return lost;

@@ -8,14 +8,14 @@
 ///
 ///   C' l_p / (t - t0)^(1/2)  per second,   2 C' l_p [(t + dt - t0)^(1/2) - (t - t0)^(1/2)]  in dt,
 ///
-/// C' = 2 C_L; half of it is taken from either end, and never more than a domain holds. Flow in the
-/// rock is that of one dimension, at right angles to the crack: no pore pressure, no interaction.
+/// C' = 2 C_L; half of it is taken from either end, and never more than a domain holds when the
+/// step is over. Flow in the rock is that of one dimension, at right angles to the crack: no pore
+/// pressure, no interaction.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
 #include <tuple>
 #include <vector>
 
@@ -55,9 +55,8 @@ class CarterLeakoff {
   /// What each wet domain loses in a fluid step.
   /// @param network for its wet channels
   /// @param dt length of the step, s
-  /// @param crack what the wet domains hold
   template <class Fluid>
-  void find_loss(const Network& network, const Fluid&, double dt, const CrackFluid& crack, Euler) {
+  void find_loss(const Network& network, const Fluid&, double dt, const CrackFluid&, Euler) {
     dt_ = dt;
     std::fill(loss_.begin(), loss_.end(), 0);
     const auto wet = network.wet_channels();
@@ -68,8 +67,6 @@ class CarterLeakoff {
       for (const Index end : ends)
         if (end != nothing) loss_[place_[end]] += loss;
     }
-    for (std::size_t d = 0; d < loss_.size(); ++d)
-      loss_[d] = std::clamp(crack.stored[d], 0.0, loss_[d]);
   }
 
   std::size_t size() const { return loss_.size(); }  ///< of the wet domains, those that lose fluid
@@ -78,9 +75,13 @@ class CarterLeakoff {
   /// How it grows with pressure, m2/Pa.
   double slope(std::size_t) const { return 0; }
   /// The step is over.
+  /// @param crack what the wet domains hold, this step's loss included
   template <class Fluid>
-  void commit(Network&, const Fluid&, std::span<const double>) {
-    for (const double loss : loss_) leaked_ += loss;
+  void commit(Network&, const Fluid&, const CrackFluid& crack) {
+    for (std::size_t d = 0; d < loss_.size(); ++d) {
+      loss_[d] = std::clamp(crack.stored[d], 0.0, loss_[d]);
+      leaked_ += loss_[d];
+    }
     time_ += dt_;
   }
   double leaked() const { return leaked_; }  ///< so far, m2

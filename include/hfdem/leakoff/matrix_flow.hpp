@@ -111,12 +111,12 @@ class MatrixFlow {
   /// The step is over: what flowed has flowed, and the pores have their pressures.
   /// @param network whose pores they are
   /// @param fluid law of the fluid
-  /// @param pressures of the wet domains; going backward, those at which the loss was found
+  /// @param crack pressures of the wet domains; going backward, those at which the loss was found
   /// @throws RunStopped if that takes more steps of the flow than anybody would wait for
   template <class Fluid>
-  void commit(Network& network, const Fluid& fluid, std::span<const double> pressures) {
+  void commit(Network& network, const Fluid& fluid, const CrackFluid& crack) {
     if (euler_ == Euler::forward) {
-      crack_.assign(pressures.begin(), pressures.begin() + static_cast<long>(size()));
+      crack_.assign(crack.pressure.begin(), crack.pressure.begin() + static_cast<long>(size()));
       flow_forward(fluid);
     } else {
       move_fluid(1);

@@ -31,6 +31,9 @@ struct PoreMap {
   std::string conditions{};                        ///< with which parameters
 };
 
+/// The caption of the picture.
+inline std::string caption(const PoreMap& map) { return map.caption; }
+
 namespace drawing {
 
 inline constexpr Colour damp{203, 215, 228};  // fluid without pressure
@@ -38,9 +41,9 @@ inline constexpr Colour damp{203, 215, 228};  // fluid without pressure
 /// The part of a specimen that holds all pores that are drawn, and half as much around it.
 inline Box seen_part(const PoreMap& map) {
   Range x = no_range, y = no_range;
-  for (const auto& pore : map.pores) {
-    if (pore.pressure <= 0.0 && pore.filling <= map.saturation) continue;
-    include(x, pore.centre.x), include(y, pore.centre.y);
+  for (const measure::Pore& p : map.pores) {
+    if (p.pressure <= 0.0 && p.filling <= map.saturation) continue;
+    include(x, p.centre.x), include(y, p.centre.y);
   }
   if (!(x.low <= x.high)) return {0.0, 0.0, map.width, map.height};
   const double side =
@@ -63,17 +66,16 @@ inline std::string svg(const PoreMap& map, Medium medium = Medium::file) {
   panel.from_left = part.left, panel.from_bottom = part.top;
 
   double highest = 0.0;
-  for (const auto& pore : map.pores) highest = std::max(highest, 1e-6 * pore.pressure);
+  for (const measure::Pore& p : map.pores) highest = std::max(highest, 1e-6 * p.pressure);
   const ColourScale scale{map.range.value_or(Range{0.0, highest > 0.0 ? highest : 1.0}), 20};
   Path moist;
   std::vector<Path> full(static_cast<std::size_t>(scale.bands));
-  for (const auto& pore : map.pores) {
-    if (pore.pressure <= 0.0 && pore.filling <= map.saturation) continue;
-    Path& path = pore.pressure > 0.0
-                     ? full[static_cast<std::size_t>(scale.band(1e-6 * pore.pressure))]
-                     : moist;
-    for (std::size_t k = 0; k < pore.corners.size(); ++k) {
-      const Pixel at = panel.pixel(pore.corners[k].x, pore.corners[k].y);
+  for (const measure::Pore& p : map.pores) {
+    if (p.pressure <= 0.0 && p.filling <= map.saturation) continue;
+    Path& path =
+        p.pressure > 0.0 ? full[static_cast<std::size_t>(scale.band(1e-6 * p.pressure))] : moist;
+    for (std::size_t k = 0; k < p.corners.size(); ++k) {
+      const Pixel at = panel.pixel(p.corners[k].x, p.corners[k].y);
       k == 0 ? path.move_to(at) : path.line_to(at);
     }
   }
@@ -91,7 +93,7 @@ inline std::string svg(const PoreMap& map, Medium medium = Medium::file) {
                                  injection_mark(panel.pixel(map.injection.x, map.injection.y)))) +
       rectangle(panel.box, stroke(grey, 1.0)) + panel.scale_bar(18.0) +
       colour_bar({panel.box.right() + 24.0, 40.0, 16.0, panel.box.height - 60.0}, scale, "MPa");
-  return sheet(map.title, map.caption, map.conditions, panel.box.right() + 90.0,
+  return sheet(map.title, caption(map), map.conditions, panel.box.right() + 90.0,
                panel.box.bottom() + 26.0, body, medium);
 }
 

@@ -165,9 +165,10 @@ class ConventionalFlow {
   void lose(Network& network, long flow_steps) {
     if constexpr (Leakoff::leaks) {
       for (double& p : mean_) p /= static_cast<double>(flow_steps);
-      leakoff_.commit(network, law_, mean_);
-      for (std::size_t d = 0; d < leakoff_.size(); ++d)
-        fluid_.stored()[d] -= leakoff_.loss(d, mean_[d]) - taken_[d];
+      const auto stored = fluid_.stored();
+      for (std::size_t d = 0; d < leakoff_.size(); ++d) stored[d] += taken_[d];
+      leakoff_.commit(network, law_, {mean_, stored});
+      for (std::size_t d = 0; d < leakoff_.size(); ++d) stored[d] -= leakoff_.loss(d, mean_[d]);
     }
   }
 

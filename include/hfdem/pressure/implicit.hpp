@@ -160,7 +160,7 @@ class ImplicitFlow {
   }
   void lose(Network& network) {
     if constexpr (Leakoff::leaks) {
-      leakoff_.commit(network, law_, pressure_);
+      leakoff_.commit(network, law_, {pressure_, fluid_.stored()});
       for (std::size_t d = 0; d < leakoff_.size(); ++d)
         fluid_.stored()[d] -= leakoff_.loss(d, pressure_[d]);
     }

@@ -53,7 +53,7 @@ class LeakyUniformPressure {
     find_loss(network, injected);
     const FluidStep step = uniform_.advance(network, injected, std::forward<Relax>(relax), sum());
     find_loss(network, injected);
-    leakoff_.commit(network, law_, pressure_);
+    leakoff_.commit(network, law_, {pressure_, stored_});
     return step;
   }
 

@@ -93,11 +93,11 @@ concept tells_loss = requires(const L& law, std::size_t domain, double pressure)
   { law.slope(domain) } -> std::same_as<double>;
 };
 
-/// `commit(network, fluid, pressures)` ends the step; `leaked()` gives what has been lost so far.
+/// `commit(network, fluid, crack)` ends the step; `leaked()` gives what has been lost so far.
 template <class L>
 concept commits_loss = requires(L& law, const L& read, Network& network, const SomeFluid& fluid,
-                                std::span<const double> pressures) {
-  law.commit(network, fluid, pressures);
+                                const CrackFluid& crack) {
+  law.commit(network, fluid, crack);
   { read.leaked() } -> std::same_as<double>;
 };
 

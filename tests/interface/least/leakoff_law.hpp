@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <tuple>
 #include <vector>
 
@@ -36,8 +35,8 @@ struct FilterCake {
   double loss(std::size_t, double pressure) const { return slope_ * std::max(0.0, pressure); }
   double slope(std::size_t) const { return slope_; }
   template <class Fluid>
-  void commit(Network&, const Fluid&, std::span<const double> pressure) {
-    for (std::size_t d = 0; d < size(); ++d) lost_[d] += loss(d, pressure[d]);
+  void commit(Network&, const Fluid&, const CrackFluid& crack) {
+    for (std::size_t d = 0; d < size(); ++d) lost_[d] += loss(d, crack.pressure[d]);
   }
   double leaked() const {
     double sum = 0;
