@@ -120,18 +120,19 @@ class LeakRecord {
 
   static observe::PoreMap map(const Sim& sim, const std::string& conditions) {
     const double saturation = sim.params().leakoff.saturation;
-    return {.pores = measure::pores(sim),
-            .microcracks = measure::microcracks(sim),
-            .saturation = saturation,
-            .injection = measure::injection_point(sim),
-            .width = sim.specimen().width,
-            .height = sim.specimen().height,
-            .title = "Pore pressure at t = " + observe::fixed(sim.time(), 3, "s"),
-            .caption = saturation < 1
-                           ? "Colour: pores that are full and have a pressure. Grey-blue: "
-                             "pores that fluid has entered and not filled."
-                           : "All pores were full: pressure spreads, hardly any fluid does.",
-            .conditions = conditions};
+    return {
+        .pores = measure::pores(sim),
+        .microcracks = measure::microcracks(sim),
+        .saturation = saturation,
+        .injection = measure::injection_point(sim),
+        .width = sim.specimen().width,
+        .height = sim.specimen().height,
+        .title = "Pore pressure at t = " + observe::fixed(sim.time(), 3, "s"),
+        .caption = std::string(saturation < 1 ? "Colour: pores that are full and have a pressure. "
+                                                "Grey-blue: pores that fluid has entered. "
+                                              : "All pores were full: pressure spreads. ") +
+                   "Pores below 2 % of the highest pressure have no colour of their own.",
+        .conditions = conditions};
   }
 
   observe::Chart volumes(const std::string& conditions) const {

@@ -38,11 +38,25 @@ namespace drawing {
 
 inline constexpr Colour damp{203, 215, 228};  // fluid without pressure
 
+/// How a pore is drawn.
+enum class PoreLook { blank, damp, pressed };
+inline PoreLook look(const measure::Pore& pore, double highest, double saturation) {
+  constexpr double shown = 0.02;  // of the highest pressure: what spreads ahead of it has no edge
+  if (pore.pressure > shown * highest) return PoreLook::pressed;
+  return pore.filling > saturation ? PoreLook::damp : PoreLook::blank;
+}
+inline double highest_pressure(const PoreMap& map) {
+  double highest = 0.0;
+  for (const measure::Pore& p : map.pores) highest = std::max(highest, p.pressure);
+  return highest;
+}
+
 /// The part of a specimen that holds all pores that are drawn, and half as much around it.
 inline Box seen_part(const PoreMap& map) {
   Range x = no_range, y = no_range;
+  const double highest = highest_pressure(map);
   for (const measure::Pore& p : map.pores) {
-    if (p.pressure <= 0.0 && p.filling <= map.saturation) continue;
+    if (look(p, highest, map.saturation) == PoreLook::blank) continue;
     include(x, p.centre.x), include(y, p.centre.y);
   }
   if (!(x.low <= x.high)) return {0.0, 0.0, map.width, map.height};
@@ -65,23 +79,24 @@ inline std::string svg(const PoreMap& map, Medium medium = Medium::file) {
   panel.box = {.width = part.width * panel.scale, .height = part.height * panel.scale};
   panel.from_left = part.left, panel.from_bottom = part.top;
 
-  double highest = 0.0;
-  for (const measure::Pore& p : map.pores) highest = std::max(highest, 1e-6 * p.pressure);
-  const ColourScale scale{map.range.value_or(Range{0.0, highest > 0.0 ? highest : 1.0}), 20};
-  Path moist;
-  std::vector<Path> full(static_cast<std::size_t>(scale.bands));
+  const double highest = highest_pressure(map);
+  const ColourScale scale{map.range.value_or(Range{0.0, highest > 0.0 ? 1e-6 * highest : 1.0}), 20};
+  Path damp_pores;
+  std::vector<Path> pressed(static_cast<std::size_t>(scale.bands));
   for (const measure::Pore& p : map.pores) {
-    if (p.pressure <= 0.0 && p.filling <= map.saturation) continue;
-    Path& path =
-        p.pressure > 0.0 ? full[static_cast<std::size_t>(scale.band(1e-6 * p.pressure))] : moist;
+    const PoreLook seen = look(p, highest, map.saturation);
+    if (seen == PoreLook::blank) continue;
+    Path& path = seen == PoreLook::damp
+                     ? damp_pores
+                     : pressed[static_cast<std::size_t>(scale.band(1e-6 * p.pressure))];
     for (std::size_t k = 0; k < p.corners.size(); ++k) {
       const Pixel at = panel.pixel(p.corners[k].x, p.corners[k].y);
       k == 0 ? path.move_to(at) : path.line_to(at);
     }
   }
-  std::string filled = moist.element(fill(damp));
+  std::string filled = damp_pores.element(fill(damp));
   for (int band = 0; band < scale.bands; ++band)
-    filled += full[static_cast<std::size_t>(band)].element(fill(scale.colour(band)));
+    filled += pressed[static_cast<std::size_t>(band)].element(fill(scale.colour(band)));
   Strokes trace;
   for (const auto& m : map.microcracks)
     if (m.connected)
