@@ -11,7 +11,7 @@ class NoLeakoff {
  public:
   /// None.
   struct Params {
-    static constexpr auto fields() { return std::tuple{}; }
+    static constexpr auto fields() { return std::tuple{}; }  ///< nothing to set
   };
   static constexpr bool leaks = false;  ///< nothing is lost
 
