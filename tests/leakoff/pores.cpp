@@ -1,4 +1,5 @@
 // Pores: their volumes, and the flow between them in random rock.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -115,6 +116,11 @@ TEST_CASE("a sealed rock comes to the pressure of the crack") {
   for (Index d = 0; d < g.area.size(); ++d) {
     if (d == rock.network.injection_domain()) continue;
     CHECK(rock.network.pressure(d) == near(5e6, 1e-6));
+    // It pushes its discs; where all domains around a disc press alike, they cancel.
+    for (const Index disc : rock.network.discs_of(d)) {
+      const auto pushed = rock.network.pushed_discs();
+      REQUIRE(std::find(pushed.begin(), pushed.end(), disc) != pushed.end());
+    }
     pores += std::fmax(g.void_area[d], 0.01 * g.area[d]);
   }
   CHECK(lost == near(pores * 5e6 / 2e9, 1e-6));

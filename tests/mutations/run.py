@@ -24,6 +24,7 @@ CRACK = "analytic/pressurised_crack.hpp"
 PLATE, FIELDS, SOLVER, GROWTH = (f"analytic/plate{s}.hpp" for s in ("", "_fields", "_solver", "_growth"))
 REGIME_MAP, REGIME_LAYOUT = "observe/regime_map.hpp", "observe/regime_layout.hpp"
 STORED, EXPLICIT, IMPLICIT = (f"pressure/{s}.hpp" for s in ("stored_fluid", "conventional", "implicit"))
+MATRIX, DOMAINS = "leakoff/matrix_flow.hpp", "setup/flow_domains.hpp"
 JOINTS, RANDOM_FRACTURES = "setup/joints.hpp", "setup/random_fractures.hpp"
 
 # name, header, what stands there, what a careless hand writes, the tests that must see it
@@ -48,7 +49,7 @@ MUTATIONS = [
     ("length of a channel", "setup/flow_domains.hpp", "length = norm(", "length = 1.05 * norm(", "loops/flow_domains"),
     ("volume of the crack", "state/network.hpp", "width_[c] - filled_width_[c]; });", "width_[c]; });", "loops/network"),
     ("volume of a domain", "state/network.hpp", "* width_[c] / 2;", "* width_[c] / 1.9;", "loops/network"),
-    ("gain of the pressure", "pressure/uniform.hpp", "params_.alpha *", "1.05 * params_.alpha *", "schemes/uniform_pressure"),
+    ("gain of the pressure", "pressure/uniform.hpp", "gain_ * params_.alpha;", "1.05 * gain_ * params_.alpha;", "schemes/uniform_pressure"),
     ("injected volume", INJECTION, "rise_) return rate * dt", "rise_) return 1.05 * rate * dt", "schemes/balances"),
     ("bits of a constant rate", INJECTION, "    if (from == time && time >= rise_) return rate * dt;\n", "", "schemes/injection"),
     ("rate before a change within the step", INJECTION, "volume += constant(rate, from", "volume += constant(change.rate, from", "schemes/injection"),
@@ -219,7 +220,7 @@ MUTATIONS = [
     ("saved state without breaks", "simulator.hpp", "network_, breaks_, time_,", "network_, time_,", "schemes/saved_state"),
     ("saved state without changed injection", "simulator.hpp", "rounded_off_, rate_,", "rounded_off_,", "schemes/saved_state"),
     ("saved state without mean contact force", "simulator.hpp", "  mean_contact_force_, mechanical", "  mechanical", "schemes/saved_state"),
-    ("saved state without age of the mean contact force", "simulator.hpp", "fluid_steps_,\n            mean_contact_force_until_);", "fluid_steps_);", "schemes/saved_state"),
+    ("saved state without age of the mean contact force", "simulator.hpp", "fluid_steps_, measured_until_);", "fluid_steps_);", "schemes/saved_state"),
     ("saved state without time of the next row", "observe/interval.hpp", "archive(next_);", ";", "schemes/saved_state"),
     ("checksum", "base/seal.hpp", "0x100000001b3", "0x100000001b5", "loops/archive"),
     ("length of what is sealed", "base/seal.hpp", "said != size", "said < size", "loops/archive"),
@@ -320,6 +321,21 @@ MUTATIONS = [
     ("saved state without what is stored", STORED, "archive(place_, stored_, rounded_off_, room_", "archive(place_, rounded_off_, room_", "flow/same_bits"),
     ("saved state without the mechanical step", "assembly.hpp", "platens_, steps_, dt);", "platens_, steps_);", "flow/same_bits"),
     ("ledger that looks away", "simulator_checks.hpp", "round_off = 1e-10", "round_off = 1e-5", "flow/volume_balance"),
+    ("Carter's square root", "leakoff/carter.hpp", "std::sqrt(since + dt) - std::sqrt(since)", "std::sqrt(dt)", "leakoff/carter"),
+    ("Carter's limit", "leakoff/carter.hpp", "std::clamp(crack.stored[d], 0.0, loss_[d])", "loss_[d]", "leakoff/carter"),
+    ("when a wall turned wet", "leakoff/carter.hpp", "network.wet_channels().size(), time_)", "network.wet_channels().size(), 0.0)", "leakoff/carter"),
+    ("pores that fill first", MATRIX, "return trial_[m] > 0 || residual_[m] > 0;", "return trial_[m] >= 0 || residual_[m] > 0;", "leakoff/half_plane"),
+    ("saturation of the pores", MATRIX, "saturation_ - fluid.filling(trial_[m])", "0 - fluid.filling(trial_[m])", "leakoff/half_plane"),
+    ("answer of the pores", MATRIX, "1 - through / stiffness[pore] : 1", "1 : 1", "leakoff/pores"),
+    ("limit of explicit flow in rock", MATRIX, "limit_fraction = 0.8", "limit_fraction = 8", "leakoff/half_plane"),
+    ("flow between pores", MATRIX, "f(inner[k].second, volume);", "f(inner[k].second, 0.9 * volume);", "leakoff/half_plane"),
+    ("pores that are reached", MATRIX, "hardly_any = 1e-6", "hardly_any = 1", "leakoff/half_plane"),
+    ("sectors of a pore's discs", DOMAINS, "twice_area / 2 - sectors", "twice_area / 2", "leakoff/pores"),
+    ("pore pressure that pushes", "state/network.hpp", "if (pressure > 0) push_discs(domain);", "", "leakoff/pores"),
+    ("loss of explicit flow", "pressure/conventional.hpp", "stored[d] += taken_[d];", ";", "leakoff/balance"),
+    ("loss of implicit flow", IMPLICIT, "fluid_.stored()[d] -= leakoff_.loss(d, pressure_[d]);", ";", "leakoff/balance"),
+    ("loss of uniform pressure", "pressure/leaky_uniform.hpp", "sum{pressure_.front(), leakoff_.leaked(), 0}", "sum{pressure_.front(), 0, 0}", "leakoff/balance"),
+    ("permeability", "measure/permeability.hpp", "return through * size / width;", "return through;", "leakoff/permeability"),
 ]
 
 FLAGS = "-std=c++20 -O1 -w -ffp-contract=off -I/usr/include/eigen3".split()

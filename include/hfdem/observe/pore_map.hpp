@@ -36,14 +36,14 @@ inline std::string caption(const PoreMap& map) { return map.caption; }
 
 namespace drawing {
 
-inline constexpr Colour damp{203, 215, 228};  // fluid without pressure
+inline constexpr Colour damp_stone{203, 215, 228};  // fluid without pressure
 
 /// How a pore is drawn.
 enum class PoreLook { blank, damp, pressed };
-inline PoreLook look(const measure::Pore& pore, double highest, double saturation) {
+inline PoreLook look(const measure::Pore& p, double highest, double saturation) {
   constexpr double shown = 0.02;  // of the highest pressure: what spreads ahead of it has no edge
-  if (pore.pressure > shown * highest) return PoreLook::pressed;
-  return pore.filling > saturation ? PoreLook::damp : PoreLook::blank;
+  if (p.pressure > shown * highest) return PoreLook::pressed;
+  return p.filling > saturation ? PoreLook::damp : PoreLook::blank;
 }
 inline double highest_pressure(const PoreMap& map) {
   double highest = 0.0;
@@ -94,7 +94,7 @@ inline std::string svg(const PoreMap& map, Medium medium = Medium::file) {
       k == 0 ? path.move_to(at) : path.line_to(at);
     }
   }
-  std::string filled = damp_pores.element(fill(damp));
+  std::string filled = damp_pores.element(fill(damp_stone));
   for (int band = 0; band < scale.bands; ++band)
     filled += pressed[static_cast<std::size_t>(band)].element(fill(scale.colour(band)));
   Strokes trace;
