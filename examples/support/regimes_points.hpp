@@ -87,7 +87,7 @@ inline RegimePoint regime_point(const RegimesConfig& config, std::size_t number,
   if (point.name.starts_with("leak off")) point.name[4] = '-';
   if (!ours.stopped.empty()) return point;
   const auto reference = [&](ToughnessAt at) {
-    return regime_reference(rock, c.viscosity, c.rate, ours.time, c.leakoff, point.disc, at);
+    return regime_reference(rock, c.viscosity, c.rate, ours.time, point.disc, at, c.leakoff);
   };
   point.reference = reference(ToughnessAt::tip);
   point.mean_toughness = reference(ToughnessAt::mean);

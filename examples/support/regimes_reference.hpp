@@ -51,13 +51,13 @@ struct RegimeReference {
 /// @param viscosity Pa s
 /// @param rate m2/s
 /// @param time s
-/// @param leakoff Carter's C_L, m/s^0.5
 /// @param disc diameter, m
 /// @param at where the toughness is that of the pressure
+/// @param leakoff Carter's C_L, m/s^0.5
 /// @throws InvalidParameter if a number is out of range
 inline RegimeReference regime_reference(const analytic::LatticeFracture& rock, double viscosity,
-                                        double rate, double time, double leakoff, double disc,
-                                        ToughnessAt at = ToughnessAt::tip) {
+                                        double rate, double time, double disc,
+                                        ToughnessAt at = ToughnessAt::tip, double leakoff = 0) {
   RegimeReference r{.problem = {.E_prime = rock.E_prime,
                                 .K_IC = rock.K_IC,
                                 .viscosity = viscosity,
