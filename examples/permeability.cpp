@@ -3,7 +3,7 @@
 //
 //   build/release/examples/permeability --seeds 5 --out out/permeability
 //
-// You should see, within a minute, means with their 95 % intervals: some 10^-16 m2, a tenth of a
+// You should see, within a minute, means with their 95 % intervals: 5e-16 m2, half a
 // millidarcy. `--quick` takes a tenth of the area; `--set in_situ.xx=0` another stress.
 #include <cstdio>
 #include <string>

@@ -23,6 +23,9 @@
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/contact/scattered_parallel_bond.hpp>
 #include <hfdem/contact/smooth_joint.hpp>
+#include <hfdem/leakoff/carter.hpp>
+#include <hfdem/leakoff/matrix_flow.hpp>
+#include <hfdem/leakoff/none.hpp>
 #include <hfdem/measure/measurement_circle.hpp>
 #include <hfdem/measure/rock_tests.hpp>
 #include <hfdem/measure/running_crack.hpp>
@@ -32,6 +35,7 @@
 #include <hfdem/pressure/dry.hpp>
 #include <hfdem/pressure/held.hpp>
 #include <hfdem/pressure/implicit.hpp>
+#include <hfdem/pressure/leaky_uniform.hpp>
 #include <hfdem/pressure/uniform.hpp>
 #include <hfdem/setup/random_fractures.hpp>
 #include <hfdem/setup/random_packing.hpp>
@@ -47,16 +51,15 @@ using namespace hfdem;
 namespace {
 
 /// All parameters that describe themselves; the first test sees to it that none is forgotten.
-using AllParams =
-    std::tuple<LinearParallelBond::Params, HyperbolicAperture::Params, Dry::Params,
-               HeldPressure::Params, UniformPressure::Params, Loading::Params, Mechanics, Stress,
-               FlowChannels, PresetCrack, Injection, RateChange, NewtonianFluid::Params,
-               SquareArray, RandomPacking, measure::SlitSeries, measure::CircleGrid,
-               measure::LoadFrame, BrazilianDisc, ScatteredParallelBond::Params,
-               analytic::KgdProblem, analytic::LatticeFracture, analytic::OrthotropicPlane,
-               analytic::ToughnessLaw, analytic::RockFracture, measure::HeldSlits,
-               measure::RunningRange, RandomFractures, SmoothJoint::Params, NoJoint::Params,
-               ConventionalFlow<>::Params, ImplicitFlow<>::Params>;
+using AllParams = std::tuple<
+    LinearParallelBond::Params, HyperbolicAperture::Params, Dry::Params, HeldPressure::Params,
+    UniformPressure::Params, Loading::Params, Mechanics, Stress, FlowChannels, PresetCrack,
+    Injection, RateChange, NewtonianFluid::Params, SquareArray, RandomPacking, measure::SlitSeries,
+    measure::CircleGrid, measure::LoadFrame, BrazilianDisc, ScatteredParallelBond::Params,
+    analytic::KgdProblem, analytic::LatticeFracture, analytic::OrthotropicPlane,
+    analytic::ToughnessLaw, analytic::RockFracture, measure::HeldSlits, measure::RunningRange,
+    RandomFractures, SmoothJoint::Params, NoJoint::Params, ConventionalFlow<>::Params,
+    ImplicitFlow<>::Params, NoLeakoff::Params, CarterLeakoff::Params, MatrixFlow::Params>;
 
 /// Parameters in range: the defaults, but for descriptions of a rock, which have none.
 template <class P>
@@ -76,8 +79,10 @@ template <>
 const analytic::RockFracture sample<analytic::RockFracture>{
     .E_prime = 30e9, .K_IC = 2e6, .K_IC_above_in_situ = 2e6};
 
-using Tree = SimulatorParams<Jointed<LinearParallelBond>, HyperbolicAperture, UniformPressure>;
-using TreeWithoutJoints = SimulatorParams<LinearParallelBond, HyperbolicAperture, UniformPressure>;
+using Tree = SimulatorParams<Jointed<LinearParallelBond>, HyperbolicAperture,
+                             LeakyUniformPressure<CarterLeakoff>>;
+using TreeWithoutJoints =
+    SimulatorParams<LinearParallelBond, HyperbolicAperture, LeakyUniformPressure<CarterLeakoff>>;
 
 TEST_CASE("every table of fields in the headers is tested here") {
   std::size_t tables = 0;
@@ -142,6 +147,15 @@ TEST_CASE("joints are a section of the tree only where the contact law has some"
         std::tuple_size_v<decltype(whole)> - 1);
   TreeWithoutJoints without;
   for_each_section(without, [](std::string_view name, auto&) { CHECK(name != "joints"); });
+}
+
+TEST_CASE("leak-off is a section of the tree only where the scheme has some") {
+  const auto has = [](const auto& sections) {
+    return std::apply([](const auto&... s) { return ((s.name == "leakoff") || ...); }, sections);
+  };
+  CHECK(has(Tree::sections()));
+  using Tight = SimulatorParams<LinearParallelBond, HyperbolicAperture, UniformPressure>;
+  CHECK(!has(Tight::sections()));
 }
 
 TEST_CASE("the names of a choice are its enumerators") {
