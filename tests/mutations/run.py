@@ -309,7 +309,7 @@ MUTATIONS = [
     ("compressibility in the implicit system", IMPLICIT, "each + fluid_.room()[d] / law_", "each + 1.05 * fluid_.room()[d] / law_", "flow/flow_in_chains"),
     ("flow in the implicit system", IMPLICIT, "flow_.push_back(dt *", "flow_.push_back(1.05 * dt *", "flow/flow_in_chains"),
     ("outlook of the implicit scheme", IMPLICIT, "residual_[d] -= ahead *", "residual_[d] -= 0 * ahead *", "physics/flow_schemes"),
-    ("outlook that does not lengthen", IMPLICIT, "c.steps + made / 10.0", "c.steps", "physics/flow_schemes"),
+    ("outlook that does not lengthen", IMPLICIT, "c.steps + min(at_most, made / 10.0)", "c.steps", "physics/flow_schemes"),
     ("half-full crack that answers as a whole", IMPLICIT, "if (!full_[d]) continue;", "full += full_[d] - 1;", "physics/flow_schemes"),
     ("what a full domain is", IMPLICIT, "residual_[d] < -last_digits", "residual_[d] <= 0 * last_digits", "flow/flow_in_chains"),
     ("tolerance of volume at the start", IMPLICIT, "max(injected.total, network.rest_volume())", "injected.total", "flow/volume_balance"),

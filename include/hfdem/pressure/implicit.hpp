@@ -19,10 +19,10 @@
 /// a being half the length of what is full. The rock answers when a wave has run along the crack;
 /// T is 0.1 of the steps which that takes. Until then rooms go on changing as they do: the right
 /// side is what r will be after some steps at the rate of the last one, T of them and a tenth of
-/// those made so far. Without that, pressure turns for ever beside grains that hardly anything
-/// holds: a pressure that only sums up r pushes a quarter of a turn late.
-/// Model and outlook guide the search alone: what counts is r, and the balance of forces. Domains
-/// at the least pressure that are not full stay out of the system (pressure/flow_system.hpp).
+/// those made so far, up to 20. Without that, pressure turns for ever beside grains that hardly
+/// anything holds: a pressure that only sums up r pushes a quarter of a turn late. Model and
+/// outlook guide the search alone: what counts is r, and the balance of forces. Domains at the
+/// least pressure that are not full stay out of the system (pressure/flow_system.hpp).
 #pragma once
 
 #include <algorithm>
@@ -256,7 +256,9 @@ class ImplicitFlow {
     if constexpr (Leakoff::leaks)
       for (std::size_t d = 0; d < leakoff_.size(); ++d) own_[d] += leakoff_.slope(d);
     for (const double conductance : conductance_) flow_.push_back(dt * conductance);
-    const double ahead = c.steps + made / 10.0;
+    constexpr double at_most =
+        20;  // more would be a spring that the mechanical step is too long for
+    const double ahead = c.steps + min(at_most, made / 10.0);
     for (std::size_t d = 0; d < room_before_.size(); ++d)
       residual_[d] -= ahead * (fluid_.room()[d] - room_before_[d]);
     system_.add_solution(fluid_, {own_, flow_, c.together}, residual_, full_, pressure_);
