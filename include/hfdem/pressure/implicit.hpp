@@ -256,8 +256,7 @@ class ImplicitFlow {
     if constexpr (Leakoff::leaks)
       for (std::size_t d = 0; d < leakoff_.size(); ++d) own_[d] += leakoff_.slope(d);
     for (const double conductance : conductance_) flow_.push_back(dt * conductance);
-    constexpr double at_most =
-        20;  // more would be a spring that the mechanical step is too long for
+    constexpr double at_most = 20;  // farther ahead, it is too stiff a spring
     const double ahead = c.steps + min(at_most, made / 10.0);
     for (std::size_t d = 0; d < room_before_.size(); ++d)
       residual_[d] -= ahead * (fluid_.room()[d] - room_before_[d]);
