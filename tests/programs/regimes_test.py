@@ -131,7 +131,7 @@ class RegimesTest(unittest.TestCase):
         self.assertFalse(checkpoint.exists())
 
     def test_bad_input_is_refused(self):
-        self.refused("--set", "study.cracks=6", words=["study.cracks", "at most 5"])
+        self.refused("--set", "study.cracks=10", words=["study.cracks", "at most 9"])
         self.refused("--set", "middle.viscosity=0", words=["middle.viscosity", "greater than 0"])
         self.refused("--set", "middle.rock=\"soft\"", words=["middle.rock", "tough", "weak"])
         self.refused("--set", "study.nonsense=1", words=["nonsense"])
