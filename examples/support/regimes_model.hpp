@@ -156,15 +156,10 @@ struct RegimesConfig : SectionTree<RegimesConfig> {
       RegimeCase{RockKind::tough, 120, 0.02, 1.15e-2, 1, 9.1e-3, 1e-4}};
 
   /// Of the cracks, as sections and files have them.
-  static constexpr std::array<std::string_view, 9> names{"toughness_vertex",
-                                                         "toughness_edge",
-                                                         "middle",
-                                                         "viscosity_edge",
-                                                         "viscosity_vertex",
-                                                         "leak_off_toughness_edge",
-                                                         "leak_off_toughness_vertex",
-                                                         "leak_off_viscosity_edge",
-                                                         "leak_off_viscosity_vertex"};
+  static constexpr std::array<std::string_view, 9> names{
+      "toughness_vertex",         "toughness_edge",         "middle",
+      "viscosity_edge",           "viscosity_vertex",       "leakoff_toughness_edge",
+      "leakoff_toughness_vertex", "leakoff_viscosity_edge", "leakoff_viscosity_vertex"};
 
   /// Two cracks on the edge, while they are short.
   void shrink() {

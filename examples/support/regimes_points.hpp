@@ -84,7 +84,6 @@ inline RegimePoint regime_point(const RegimesConfig& config, std::size_t number,
                     .disc = 2 * l.specimen.radius};
   point.name = point.key;
   std::replace(point.name.begin(), point.name.end(), '_', ' ');
-  if (point.name.starts_with("leak off")) point.name[4] = '-';
   if (!ours.stopped.empty()) return point;
   const auto reference = [&](ToughnessAt at) {
     return regime_reference(rock, c.viscosity, c.rate, ours.time, point.disc, at, c.leakoff);

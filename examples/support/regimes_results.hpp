@@ -63,8 +63,8 @@ class RegimesResults {
   /// The table for a terminal.
   std::string text() const {
     std::string text =
-        "                            K_m   half-length    KGD            opening     KGD           "
-        " "
+        "                            K_m   half-length    KGD            opening     "
+        "KGD            "
         "net p   KGD     2a/W   f_w    f_K    efficiency  KGD\n";
     for (const RegimePoint& p : points_) {
       char line[300];

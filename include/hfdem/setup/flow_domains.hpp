@@ -57,6 +57,14 @@ class HalfEdges {
     const Index back = twin(h), disc = origin(back), place = place_[back];
     return leaving_[place == begin_[disc] ? begin_[disc + 1] - 1 : place - 1];
   }
+  /// Angle of the face at the edge's origin, between it and the edge before.
+  double corner(Index h) const {
+    const Index place = place_[h], disc = origin(h);
+    const Vec2 out = arm(h),
+               in = arm(leaving_[place + 1 == begin_[disc + 1] ? begin_[disc] : place + 1]);
+    const double angle = std::atan2(cross(out, in), dot(out, in));
+    return angle < 0 ? angle + 2 * std::numbers::pi : angle;
+  }
   /// The edges that leave a disc, counter-clockwise from the direction -pi.
   std::span<const Index> leaving(Index disc) const {
     return std::span(leaving_).subspan(begin_[disc], begin_[disc + 1] - begin_[disc]);
@@ -125,13 +133,8 @@ inline FlowDomains flow_domains(const Specimen& specimen, std::span<const Contac
     }
     if (!(twice_area > 0)) continue;  // the outside
     double sectors = 0;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Vec2 in = edges.arm(detail::HalfEdges::twin(loop[k])),
-                 out = edges.arm(loop[(k + 1) % loop.size()]);
-      const double angle = std::atan2(cross(out, in), dot(out, in)),
-                   r = specimen.radius[edges.origin(loop[(k + 1) % loop.size()])];
-      sectors += r * r / 2 * (angle < 0 ? angle + 2 * std::numbers::pi : angle);
-    }
+    for (const Index h : loop)
+      sectors += edges.corner(h) / 2 * std::pow(specimen.radius[edges.origin(h)], 2);
     result.area.push_back(twice_area / 2);
     result.void_area.push_back(twice_area / 2 - sectors);
     const auto domain = static_cast<Index>(result.centre.size());
