@@ -13,7 +13,8 @@
 #include <hfdem/measure/microcracks.hpp>
 #include <hfdem/measure/pores.hpp>
 #include <hfdem/observe/colour_bar.hpp>
-#include <hfdem/observe/specimen_picture.hpp>
+#include <hfdem/observe/field_sheet.hpp>
+#include <hfdem/observe/specimen_layout.hpp>
 #include <hfdem/observe/svg.hpp>
 
 namespace hfdem::observe {
@@ -102,14 +103,9 @@ inline std::string svg(const PoreMap& map, Medium medium = Medium::file) {
     if (m.connected)
       trace.add(panel.pixel(m.facet.from.x, m.facet.from.y),
                 panel.pixel(m.facet.to.x, m.facet.to.y), 1.6);
-  const std::string body =
-      rock(window(panel.box, rectangle(panel.box, fill(stone)) + filled +
-                                 trace.elements(okabe_ito::black) +
-                                 injection_mark(panel.pixel(map.injection.x, map.injection.y)))) +
-      rectangle(panel.box, stroke(grey, 1.0)) + panel.scale_bar(18.0) +
-      colour_bar({panel.box.right() + 24.0, 40.0, 16.0, panel.box.height - 60.0}, scale, "MPa");
-  return sheet(map.title, caption(map), map.conditions, panel.box.right() + 90.0,
-               panel.box.bottom() + 26.0, body, medium);
+  const std::string field =
+      rectangle(panel.box, fill(stone)) + filled + trace.elements(okabe_ito::black);
+  return field_sheet(map, panel, scale, "MPa", field, medium);
 }
 
 }  // namespace hfdem::observe
