@@ -48,6 +48,11 @@ double check_balance(Sim& sim, double time) {
   const VolumeBalance b = sim.volume_balance();
   return b.leaked / b.injected;
 }
+template <class Pressure>
+double leaked_part(const typename Rock<Pressure>::Params& params) {
+  Rock<Pressure> sim(specimen(), params);
+  return check_balance(sim, 0.012);
+}
 
 }  // namespace
 
@@ -58,16 +63,36 @@ TEST_CASE("volumes balance with flow through the rock") {
     CAPTURE(saturation);
     auto flowing = params<ConventionalFlow<NewtonianFluid, MatrixFlow>>(0.1);
     flowing.leakoff.saturation = saturation;
-    Rock<ConventionalFlow<NewtonianFluid, MatrixFlow>> forward(specimen(), flowing);
     auto implicit = params<ImplicitFlow<NewtonianFluid, MatrixFlow>>(0.1);
     implicit.leakoff.saturation = saturation;
     implicit.scheme.fluid_dt = 2.5e-4;
-    Rock<ImplicitFlow<NewtonianFluid, MatrixFlow>> backward(specimen(), implicit);
-    const double a = check_balance(forward, 0.012), b = check_balance(backward, 0.012);
+    const double a = leaked_part<ConventionalFlow<NewtonianFluid, MatrixFlow>>(flowing);
+    const double b = leaked_part<ImplicitFlow<NewtonianFluid, MatrixFlow>>(implicit);
     CHECK(a > 0.05);
     CHECK(a < 0.6);
-    CHECK(b == near(a, 0.05));
-    CHECK(backward.injection_pressure() == near(forward.injection_pressure(), 0.03));
+    CHECK(b > 0.05);
+    CHECK(b < 0.6);
+  }
+}
+
+TEST_CASE("flow through the rock is the same forward and backward in time") {
+  // Bonds hold, so that both have the same crack: which bond breaks first is a matter of chance.
+  const auto unbroken = [](auto p) {
+    p.contact.tensile_strength = p.contact.cohesion = 1e12;
+    return p;
+  };
+  for (const double saturation : {0.0, 1.0}) {
+    CAPTURE(saturation);
+    auto flowing = unbroken(params<ConventionalFlow<NewtonianFluid, MatrixFlow>>(0.1));
+    flowing.leakoff.saturation = saturation;
+    Rock<ConventionalFlow<NewtonianFluid, MatrixFlow>> forward(specimen(), flowing);
+    auto implicit = unbroken(params<ImplicitFlow<NewtonianFluid, MatrixFlow>>(0.1));
+    implicit.leakoff.saturation = saturation;
+    implicit.scheme.fluid_dt = 6e-5;
+    Rock<ImplicitFlow<NewtonianFluid, MatrixFlow>> backward(specimen(), implicit);
+    const double a = check_balance(forward, 0.012), b = check_balance(backward, 0.012);
+    CHECK(b == near(a, 0.02));
+    CHECK(backward.injection_pressure() == near(forward.injection_pressure(), 0.02));
   }
 }
 
