@@ -79,6 +79,16 @@ TEST_CASE("a channel counts from when it turned wet, and loses no more than ther
     stored.assign(5, 1e-12);
     CHECK(lose(law, chain.network, 0.01, stored) == near(5e-12, 1e-12));
     for (const double s : stored) CHECK(s == 0);
+    // The walls have taken less than they could, so they take the more of what comes: together as
+    // much as if they had been wet later.
+    stored.assign(5, 1.0);
+    const double before = law.leaked(), full = 4e-5 * test::Chain::length;
+    const double lost = lose(law, chain.network, 0.01, stored);
+    const double inner = (before - 5e-12) / 8 + 5e-13, outer = (before - 5e-12) / 8 + 1e-12;
+    const double square = full * full / 4 * 0.01;
+    const auto rest = [&](double v) { return std::sqrt(v * v + square) - v; };
+    CHECK(lost == near(6 * rest(inner) + 2 * rest(outer), 1e-12));
+    CHECK(lost > 1.2 * 4 * full * (std::sqrt(0.03) - std::sqrt(0.02)));  // of walls wet so long
   }
 }
 
