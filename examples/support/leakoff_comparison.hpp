@@ -121,8 +121,8 @@ class LeakoffComparison {
                             .conditions = conditions_};
     };
     auto pressure = over_time("Injection pressure", "pressure (MPa)",
-                              "As in the paper's Fig. 17a, where leak-off lowers the pressure at "
-                              "breakdown and raises it afterwards.");
+                              "The paper's Fig. 17a has leak-off lower the pressure at "
+                              "breakdown and raise it afterwards.");
     auto length = over_time("Distance between the tips", "length (m)",
                             "What has leaked off no longer opens the crack.");
     auto leaked = over_time("Leaked volume", "volume (mL per m)",
