@@ -15,6 +15,7 @@
 #include <hfdem/base/archive.hpp>
 #include <hfdem/base/units.hpp>
 #include <hfdem/base/version.hpp>
+#include <hfdem/contact/incremental_parallel_bond.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/contact/scattered_parallel_bond.hpp>
 #include <hfdem/leakoff/carter.hpp>

@@ -4,6 +4,7 @@
 
 #include <hfdem/aperture/hyperbolic.hpp>
 #include <hfdem/contact/jointed.hpp>
+#include <hfdem/contact/incremental_parallel_bond.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/contact/smooth_joint.hpp>
 #include <hfdem/contact/smooth_platen.hpp>
@@ -39,7 +40,7 @@ constexpr unsigned lacking(std::initializer_list<bool> atoms_that_hold) {
 
 // ---- the policies of the library --------------------------------------------------------------
 
-static_assert(ContactLaw<LinearParallelBond>);
+static_assert(ContactLaw<LinearParallelBond> && ContactLaw<IncrementalParallelBond>);
 static_assert(JointLaw<SmoothJoint>);
 static_assert(ContactLaw<Jointed<LinearParallelBond>> && HasJoints<Jointed<LinearParallelBond>>);
 static_assert(!HasJoints<LinearParallelBond>);

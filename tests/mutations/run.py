@@ -321,6 +321,8 @@ MUTATIONS = [
     ("saved state without what is stored", STORED, "archive(place_, stored_, rounded_off_, room_", "archive(place_, rounded_off_, room_", "flow/same_bits"),
     ("saved state without the mechanical step", "assembly.hpp", "platens_, steps_, dt);", "platens_, steps_);", "flow/same_bits"),
     ("ledger that looks away", "simulator_checks.hpp", "round_off = 1e-10", "round_off = 1e-5", "flow/volume_balance"),
+    ("what an incremental bond bore when it broke", "contact/incremental_parallel_bond.hpp", "k.bond > T{} ? force : T{}", "force", "laws/incremental_bond"),
+    ("increments of slip", "contact/incremental_parallel_bond.hpp", "last.linear_shear - (", "-(", "laws/incremental_bond"),
     ("Carter's square root", "leakoff/carter.hpp", "std::sqrt(lost * lost + squares) + lost", "std::sqrt(squares)", "leakoff/carter"),
     ("Carter's limit", "leakoff/carter.hpp", "std::clamp(crack.stored[d], 0.0, loss_[d])", "loss_[d]", "leakoff/carter"),
     ("Carter's memory of a starved wall", "leakoff/carter.hpp", "lost += part * further", "lost += further", "leakoff/carter"),

@@ -88,11 +88,11 @@ class LinearParallelBond {
 
   /// @param p validated parameters
   explicit LinearParallelBond(const Params& p)
-      : E_(p.E),
-        bond_E_(p.bond_E),
-        shear_per_normal_(1 / p.stiffness_ratio),
+      : shear_per_normal_(1 / p.stiffness_ratio),
         bond_shear_per_normal_(1 / p.bond_stiffness_ratio),
         friction_(p.friction),
+        E_(p.E),
+        bond_E_(p.bond_E),
         twice_tensile_strength_(2 * p.tensile_strength),
         twice_cohesion_(2 * p.cohesion),
         tan_friction_angle_(std::tan(p.friction_angle * std::numbers::pi / 180)),
@@ -130,8 +130,7 @@ class LinearParallelBond {
         .linear_shear = shear,
         .bond_normal = k.bond * closing,
         .bond_shear = -((k.bond * bond_shear_per_normal_) * motion.shear),
-        // (E_b / L) I = k_bond Rb^2 / 3
-        .bond_moment = ((1.0 / 3.0) * k.bond * (k.bond_radius * k.bond_radius)) * motion.rotation,
+        .bond_moment = bond_moment_stiffness(k) * motion.rotation,
         .memory = {memory.shear_offset + (shear - elastic)}};
   }
 
@@ -158,8 +157,17 @@ class LinearParallelBond {
     return {in_tension, abs(r.bond_shear) > shear_strength};
   }
 
+ protected:
+  /// Moment of the bond per relative rotation, (E_b / L) I = k_bond Rb^2 / 3.
+  template <class T>
+  static T bond_moment_stiffness(const Stiffness<T>& k) noexcept {
+    return (1.0 / 3.0) * k.bond * (k.bond_radius * k.bond_radius);
+  }
+
+  double shear_per_normal_, bond_shear_per_normal_, friction_;
+
  private:
-  double E_, bond_E_, shear_per_normal_, bond_shear_per_normal_, friction_;
+  double E_, bond_E_;
   double twice_tensile_strength_, twice_cohesion_, tan_friction_angle_, thrice_moment_factor_;
 };
 
