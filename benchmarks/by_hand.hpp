@@ -1,8 +1,10 @@
 /// @file
-/// The contact loop as one would write it by hand for `LinearParallelBond` alone: plain arrays in
-/// the library's layout, no policy, no template. It does the same arithmetic to the last bit and
-/// takes the two short cuts that a special case allows: it leaves out the return mapping where
-/// nothing slips, and multiplies the constants beforehand where that rounds nothing.
+/// The mechanical step as one would write it by hand for `LinearParallelBond` alone: plain arrays
+/// in the library's layout, no policy, no template. The contact loop does the same arithmetic to
+/// the last bit and takes the two short cuts that a special case allows: it leaves out the return
+/// mapping where nothing slips, and multiplies the constants beforehand where that rounds nothing.
+/// Discs gather their rows in the order of the contacts; nothing is broken and there are no
+/// platens.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +13,12 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/mechanics/contact_range.hpp>
+#include <hfdem/state/discs.hpp>
 
 using Four = double __attribute__((vector_size(32)));
 using Bits = decltype(Four{} < Four{});
@@ -119,5 +123,63 @@ struct ContactsByHand {
       }
       failed[note] = hfdem::any(any_failed);
     }
+  }
+};
+
+struct DiscsByHand {
+  std::vector<std::uint32_t> entries;  // six of each disc: row + 1 or 0, the sign in the last bit
+  std::vector<std::uint32_t> more, more_from;  // of discs with more contacts
+  std::vector<Four> displacement, velocity;
+  std::vector<double> load, translation, rotation;  // load: x, y; time step over mass and inertia
+  double dt, damping;
+
+  DiscsByHand(const hfdem::Discs& discs, std::span<const hfdem::ContactGeometry> contacts,
+              double time_step, double damping_)
+      : displacement(discs.displacement),
+        velocity(discs.velocity),
+        load(2 * discs.size(), 0),
+        translation(discs.size()),
+        rotation(discs.size()),
+        dt(time_step),
+        damping(damping_) {
+    std::vector<std::vector<std::uint32_t>> rows(discs.size());
+    for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+      rows[contacts[c].bodies.first].push_back(2 * (c + 1) + 1);
+      rows[contacts[c].bodies.second].push_back(2 * (c + 1));
+    }
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+      translation[i] = dt / discs.mass[i];
+      rotation[i] = dt / discs.inertia(i);
+      more_from.push_back(static_cast<std::uint32_t>(more.size()));
+      for (std::size_t k = 0; k < std::max<std::size_t>(6, rows[i].size()); ++k)
+        (k < 6 ? entries : more).push_back(k < rows[i].size() ? rows[i][k] : 0);
+    }
+    more_from.push_back(static_cast<std::uint32_t>(more.size()));
+  }
+
+  /// Moves every disc; the square of the largest resultant.
+  /// @param row a row of zeros, then those of the contacts
+  double step(const Four* row) {
+    constexpr long long minus = std::numeric_limits<long long>::min(), magnitude = ~minus;
+    const Bits flip[2] = {{0, 0, 0, 0}, {minus, minus, minus, 0}};
+    const Four zero = {}, one = zero + 1.0;
+    Four largest = {};
+    for (std::size_t i = 0; i + 1 < more_from.size(); ++i) {
+      Four sum = {load[2 * i], load[2 * i + 1], 0, 0};
+      for (std::size_t e = 6 * i; e < 6 * i + 6; ++e)
+        sum += (Four)((Bits)row[entries[e] >> 1] ^ flip[entries[e] & 1]);
+      for (std::uint32_t e = more_from[i]; e < more_from[i + 1]; ++e)
+        sum += (Four)((Bits)row[more[e] >> 1] ^ flip[more[e] & 1]);
+      const Four square = sum * sum;
+      const Four both = square + __builtin_shufflevector(square, square, 1, 0, 3, 2);
+      largest = largest > both ? largest : both;
+      const Four pull = sum + __builtin_shufflevector(sum, zero, 4, 5, 3, 2);
+      const Four sign = (velocity[i] > zero ? one : zero) - (velocity[i] < zero ? one : zero);
+      const Four damped = pull - damping * (Four)((Bits)pull & magnitude) * sign;
+      const double t = translation[i], r = rotation[i];
+      velocity[i] += damped * Four{t, t, r, r};
+      displacement[i] += velocity[i] * dt;
+    }
+    return largest[0];
   }
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <hfdem/contact/jointed.hpp>
@@ -38,11 +39,11 @@ class Assembly {
   /// @param damping local damping coefficient
   /// @param step_fraction mechanical time step over the longest stable one
   /// @throws InvalidParameter if the specimen has joints and the law has none
-  Assembly(const Specimen& specimen, std::span<const ContactGeometry> bonded, const Contact& law,
+  Assembly(const Specimen& specimen, std::vector<ContactGeometry> bonded, const Contact& law,
            const Loading::Params& boundary, double damping, double step_fraction)
       : specimen_(specimen),
         discs_(specimen),
-        parted_(bonded, specimen.joints.pairs),
+        parted_(std::move(bonded), specimen.joints.pairs),
         loading_(boundary, specimen),
         forces_(discs_.size() + all_sides.size()),
         rock_(make_rock(law)),
@@ -239,6 +240,7 @@ class Assembly {
   ContactRange<RockLawOf<Contact>> make_rock(const Contact& law) {
     const auto rock = geometry().first(parted_.of_rock);
     std::vector<typename Contact::template Stiffness<double>> stiffness;
+    stiffness.reserve(rock.size());
     for (const auto& c : rock) {
       stiffness.push_back(law.stiffness(disc(c.bodies.first), disc(c.bodies.second)));
       // By its number without joints: the rock's strength is the same with them.

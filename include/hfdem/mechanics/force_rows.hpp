@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -21,67 +22,79 @@ namespace hfdem {
 class ForceRows {
  public:
   /// @param bodies discs and platens
-  explicit ForceRows(std::size_t bodies) : pulls_(bodies) {}
+  explicit ForceRows(std::size_t bodies) : bodies_(bodies) {}
 
   /// Adds contacts whose rows start at `first_row`; `padded_size` rows are theirs.
   void add(std::span<const ContactGeometry> contacts, std::size_t first_row,
            std::size_t padded_size) {
-    rows_.resize(std::max(rows_.size(), first_row + padded_size), Pack{});
+    rows_.resize(std::max(rows_.size(), 1 + first_row + padded_size), Pack{});
+    pulls_.reserve(pulls_.size() + 2 * contacts.size());
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const auto& [bodies, frame] = contacts[c];
       const Vec2 normal{frame.normal_x, frame.normal_y};
-      const auto row = static_cast<Index>(first_row + c);
-      pulls_[bodies.first].push_back({row, true, normal});
-      pulls_[bodies.second].push_back({row, false, -normal});
+      const auto row = static_cast<Index>(1 + first_row + c);
+      pulls_.push_back({bodies.first, row << 1 | 1U, normal});
+      pulls_.push_back({bodies.second, row << 1, -normal});
     }
   }
 
   /// Fixes the order of summation; call once, after the last `add`.
   void arrange() {
-    for (auto& pulls : pulls_) {
+    // Sorted by body without moving them: the contacts of a large specimen fill much of the memory.
+    std::vector<Index> next(bodies_ + 1, 0), sorted(pulls_.size());
+    for (const auto& p : pulls_) ++next[p.body + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (Index k = 0; k < pulls_.size(); ++k) sorted[next[pulls_[k].body]++] = k;
+    entries_.reserve(usual * bodies_);
+    further_from_.reserve(bodies_ + 1);
+    std::vector<Pull> pulls;
+    for (std::size_t body = 0, k = 0; body < bodies_; ++body) {
+      pulls.clear();
+      for (; k < next[body]; ++k) pulls.push_back(pulls_[sorted[k]]);
       const std::size_t opposites = pair_up(pulls, 0, [](const Pull& a, const Pull& b) {
         return dot(a.direction, b.direction) < -0.999999;
       });
-      pair_up(pulls, opposites, [](const Pull& a, const Pull& b) { return a.first != b.first; });
+      pair_up(pulls, opposites,
+              [](const Pull& a, const Pull& b) { return a.first() != b.first(); });
       list(pulls);
     }
-    lists_.push_back({static_cast<Index>(entries_.size()), 0});
+    further_from_.push_back(static_cast<Index>(further_.size()));
     pulls_ = {};
   }
 
   /// All rows; the contacts write them.
-  std::span<Pack> rows() { return rows_; }
+  std::span<Pack> rows() { return std::span(rows_).subspan(1); }
   /// All rows, as of the last mechanical step.
-  std::span<const Pack> rows() const { return rows_; }
+  std::span<const Pack> rows() const { return std::span(rows_).subspan(1); }
 
   /// Sum of the rows that act on a body: (x, y) in N per m; its torque is the sum of the other two.
   /// Inlined wherever it is called: a function that returns a pack has no portable way to.
   [[gnu::always_inline]] Pack total(std::size_t body) const {
-    const Index* entry = entries_.data() + lists_[body].begin;
-    const Index* const through = entries_.data() + lists_[body].through;
-    const Index* const end = entries_.data() + lists_[body + 1].begin;
+    const Index* entry = entries_.data() + usual * body;
     Pack sum{};
-    for (; entry < through; entry += 2) sum += rows_[entry[0]] + flipped(rows_[entry[1]]);
-    for (; entry + 1 < end; entry += 2) sum += signed_row(entry[0]) + signed_row(entry[1]);
-    if (entry < end) sum += signed_row(entry[0]);
+    for (std::size_t k = 0; k < usual; k += 2)
+      sum += signed_row(entry[k]) + signed_row(entry[k + 1]);
+    for (Index k = further_from_[body]; k < further_from_[body + 1]; k += 2)
+      sum += signed_row(further_[k]) + signed_row(further_[k + 1]);
     return sum;
   }
 
   /// The rows; who gathers them is fixed.
-  void exchange(auto& archive) { archive(std::span(rows_)); }
+  void exchange(auto& archive) { archive(rows()); }
 
  private:
   struct Pull {
-    Index row;
-    bool first;      ///< whether the body is the contact's first
+    Index body;
+    Index entry;     ///< row, and in the last bit whether the body is the contact's first
     Vec2 direction;  ///< from the body to the contact
+
+    bool first() const { return (entry & 1U) != 0; }
   };
 
-  /// A body's entries: up to `through`, pairs of rows that have the body as second and as first
-  /// (all pairs within a regular array); from there on, rows with their sign in the last bit.
-  struct List {
-    Index begin, through;
-  };
+  /// Every body has so many entries at hand, and few need more: random rock has 4.8 contacts per
+  /// disc, and a loop that ends after three, five or four of them is one that processors guess
+  /// wrongly. Row 0 is zero, and fills what a body does not need.
+  static constexpr std::size_t usual = 6;
 
   Pack signed_row(Index entry) const {
     constexpr long long sign_bit = std::numeric_limits<long long>::min();
@@ -106,23 +119,24 @@ class ForceRows {
     return paired;
   }
 
-  void list(std::span<const Pull> pulls) {
-    const auto begin = static_cast<Index>(entries_.size());
-    std::size_t k = 0;
-    for (; k + 1 < pulls.size() && pulls[k].first != pulls[k + 1].first; k += 2) {
-      const std::size_t as_first = pulls[k].first ? k : k + 1, as_second = 2 * k + 1 - as_first;
-      entries_.push_back(pulls[as_second].row);
-      entries_.push_back(pulls[as_first].row);
-    }
-    lists_.push_back({begin, static_cast<Index>(entries_.size())});
-    for (; k < pulls.size(); ++k)
-      entries_.push_back(pulls[k].row << 1 | (pulls[k].first ? 1U : 0U));
+  /// Pairs that pull and push have the row of the body as second first.
+  void list(std::span<Pull> pulls) {
+    for (std::size_t k = 0; k + 1 < pulls.size() && pulls[k].first() != pulls[k + 1].first();
+         k += 2)
+      if (pulls[k].first()) std::swap(pulls[k], pulls[k + 1]);
+    further_from_.push_back(static_cast<Index>(further_.size()));
+    for (std::size_t k = 0; k < pulls.size(); ++k)
+      (k < usual ? entries_ : further_).push_back(pulls[k].entry);
+    entries_.resize(entries_.size() + usual - std::min(usual, pulls.size()), 0);
+    if (further_.size() % 2 != 0) further_.push_back(0);
   }
 
-  std::vector<Pack> rows_;
-  std::vector<std::vector<Pull>> pulls_;
-  std::vector<List> lists_;  // one per body, and the end
-  std::vector<Index> entries_;
+  std::size_t bodies_;
+  std::vector<Pack> rows_{Pack{}};   // after the zero, those of the contacts
+  std::vector<Pull> pulls_;          // until they are arranged
+  std::vector<Index> entries_;       // of each body: rows with their sign in the last bit
+  std::vector<Index> further_;       // of bodies with more contacts, in pairs
+  std::vector<Index> further_from_;  // where they begin, of each body; and the end
 };
 
 }  // namespace hfdem

@@ -34,7 +34,8 @@ struct PartedContacts {
 
   /// @param contacts between all discs that bond, sorted by bodies
   /// @param across pairs of discs with a fracture between them, sorted by bodies
-  PartedContacts(std::span<const ContactGeometry> contacts, std::span<const JointPair> across) {
+  PartedContacts(std::vector<ContactGeometry> contacts, std::span<const JointPair> across) {
+    number.reserve(contacts.size());
     const auto before = [](const JointPair& p, const Pair& bodies) { return p.bodies < bodies; };
     const auto place = [&](const Pair& bodies) {
       const auto at = std::lower_bound(across.begin(), across.end(), bodies, before);
@@ -54,7 +55,12 @@ struct PartedContacts {
     }
     of_rock = number.size();
     number.insert(number.end(), later.begin(), later.end());
-    for (const Index c : number) bonded.push_back(contacts[c]);
+    if (later.empty()) {
+      bonded = std::move(contacts);
+    } else {
+      bonded.reserve(number.size());
+      for (const Index c : number) bonded.push_back(contacts[c]);
+    }
     for (std::size_t k = 0; k < across.size(); ++k)
       if (!has_bond[k]) joints.push_back(across[k]);
   }
