@@ -206,7 +206,7 @@ MUTATIONS = [
     ("saved state without loads", "state/discs.hpp", ", std::span(load));", ");", "schemes/saved_state"),
     ("saved state without broken bonds", "mechanics/contact_range.hpp", "archive(stiffness_);", ";", "schemes/saved_state"),
     ("saved state without slip", "mechanics/contact_range.hpp", "archive(memory_);", ";", "schemes/saved_state"),
-    ("saved state without contact forces", "mechanics/force_rows.hpp", "archive(std::span(rows_));", ";", "schemes/saved_state"),
+    ("saved state without contact forces", "mechanics/force_rows.hpp", "archive(rows());", ";", "schemes/saved_state"),
     ("saved state without stress", "mechanics/loading.hpp", "archive(stress_, ", "archive(", "schemes/saved_state"),
     ("saved state without dead loads", "mechanics/loading.hpp", "archive(stress_, std::span(dead_load_), ", "archive(stress_, ", "schemes/saved_state"),
     ("saved state without apertures", "state/network.hpp", "std::span(width_), std::span(pressure_)", "std::span(pressure_)", "schemes/saved_state"),
