@@ -11,6 +11,8 @@ import subprocess
 import sys
 import tempfile
 
+import rock_file
+
 path, steps, threads = sys.argv[1], int(sys.argv[2]), sys.argv[3]
 
 INPUT = """units si
@@ -35,17 +37,6 @@ run {steps}
 """
 
 
-def read_specimen():
-    header, discs = {}, []
-    for line in pathlib.Path(path).read_text(encoding="utf-8").splitlines():
-        words = line.split("#")[0].split()
-        if len(words) == 3 and words[0] != "hfdem":
-            discs.append([float(word) for word in words])
-        elif len(words) == 2:
-            header[words[0]] = float(words[1])
-    return header, discs
-
-
 def bonds_of(discs, gap):
     size = 2 * max(radius for _, _, radius in discs) + gap
     cells = {}
@@ -62,7 +53,7 @@ def bonds_of(discs, gap):
                     yield i + 1, j + 1
 
 
-header, discs = read_specimen()
+header, discs = rock_file.read(path)
 bonds = list(bonds_of(discs, header["bonding_gap"]))
 with tempfile.TemporaryDirectory() as folder:
     lines = ["A rock of hfdem's", "", f"{len(discs)} atoms", f"{len(bonds)} bonds", "1 atom types",

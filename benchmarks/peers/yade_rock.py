@@ -7,20 +7,17 @@ without: JointedCohesiveFrictionalPM). Discs are spheres that stay in their plan
 """
 
 import json
+import pathlib
 import sys
 import time
 
 from yade import *  # noqa: F403  (how a script of Yade's begins)
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import rock_file  # noqa: E402
+
 path, law, steps = sys.argv[1], sys.argv[2], int(sys.argv[3])
-header, discs = {}, []
-with open(path, encoding="utf-8") as file:
-    for line in file:
-        words = line.split("#")[0].split()
-        if len(words) == 3 and words[0] != "hfdem":
-            discs.append([float(word) for word in words])
-        elif len(words) == 2:
-            header[words[0]] = float(words[1])
+header, discs = rock_file.read(path)
 mean_radius = sum(radius for _, _, radius in discs) / len(discs)
 reach = 1 + header["bonding_gap"] / (2 * mean_radius)
 common = {"young": 17e9, "poisson": 0.4, "frictionAngle": 0.46, "density": header["density"]}

@@ -3,8 +3,8 @@
 #include <initializer_list>
 
 #include <hfdem/aperture/hyperbolic.hpp>
-#include <hfdem/contact/jointed.hpp>
 #include <hfdem/contact/incremental_parallel_bond.hpp>
+#include <hfdem/contact/jointed.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
 #include <hfdem/contact/smooth_joint.hpp>
 #include <hfdem/contact/smooth_platen.hpp>

@@ -125,13 +125,12 @@ class LinearParallelBond {
     const T elastic = memory.shear_offset - (k.normal * shear_per_normal_) * motion.shear;
     const T limit = friction_ * normal;
     const T shear = clamp(elastic, T(-limit), limit);
-    return {
-        .linear_normal = normal,
-        .linear_shear = shear,
-        .bond_normal = k.bond * closing,
-        .bond_shear = -((k.bond * bond_shear_per_normal_) * motion.shear),
-        .bond_moment = bond_moment_stiffness(k) * motion.rotation,
-        .memory = {memory.shear_offset + (shear - elastic)}};
+    return {.linear_normal = normal,
+            .linear_shear = shear,
+            .bond_normal = k.bond * closing,
+            .bond_shear = -((k.bond * bond_shear_per_normal_) * motion.shear),
+            .bond_moment = bond_moment_stiffness(k) * motion.rotation,
+            .memory = {memory.shear_offset + (shear - elastic)}};
   }
 
   /// What both parts store at this motion, J per m; slip has taken up `memory`.
