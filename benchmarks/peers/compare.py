@@ -9,6 +9,7 @@ of Yade's law with bond moments.
 
 import argparse
 import json
+import os
 import pathlib
 import shutil
 import statistics
@@ -20,7 +21,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def result(command, begins=""):
-    done = subprocess.run(list(map(str, command)), text=True, capture_output=True, check=False)
+    done = subprocess.run(list(map(str, command)), text=True, capture_output=True, check=False,
+                          env={**os.environ, "PYTHONPATH": str(HERE)})  # for rock_file
     lines = [line for line in done.stdout.splitlines() if line.startswith(begins + "{")]
     if not lines:
         sys.exit(f"{command[0]} printed no result:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")

@@ -1,20 +1,18 @@
 """A rock of bonded discs in Yade: what a contact costs in a step. Run by compare.py, as
 
-    yade -n -x yade_rock.py SPECIMEN LAW STEPS
+    PYTHONPATH=benchmarks/peers yade -n -x benchmarks/peers/yade_rock.py SPECIMEN LAW STEPS
 
 SPECIMEN is a file of hfdem's, LAW cohfrict (bonds with moments: CohesionMoment) or jcfpm (bonds
 without: JointedCohesiveFrictionalPM). Discs are spheres that stay in their plane; all bonds hold.
 """
 
 import json
-import pathlib
 import sys
 import time
 
-from yade import *  # noqa: F403  (how a script of Yade's begins)
+import rock_file
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-import rock_file  # noqa: E402
+from yade import *  # noqa: F403  (how a script of Yade's begins)
 
 path, law, steps = sys.argv[1], sys.argv[2], int(sys.argv[3])
 header, discs = rock_file.read(path)
