@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -45,7 +47,8 @@ class ForceRows {
     for (const auto& p : pulls_) ++next[p.body + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
     for (Index k = 0; k < pulls_.size(); ++k) sorted[next[pulls_[k].body]++] = k;
-    entries_.reserve(usual * bodies_);
+    usual_rows_.reserve(usual * bodies_);
+    signs_.reserve(bodies_);
     further_from_.reserve(bodies_ + 1);
     std::vector<Pull> pulls;
     for (std::size_t body = 0, k = 0; body < bodies_; ++body) {
@@ -70,12 +73,16 @@ class ForceRows {
   /// Sum of the rows that act on a body: (x, y) in N per m; its torque is the sum of the other two.
   /// Inlined wherever it is called: a function that returns a pack has no portable way to.
   [[gnu::always_inline]] Pack total(std::size_t body) const {
-    const Index* entry = entries_.data() + usual * body;
+    const Index* row = usual_rows_.data() + usual * body;
+    const unsigned signs = signs_[body];
+    const auto& flip = flips_[signs % (1U << usual)];
     Pack sum{};
     for (std::size_t k = 0; k < usual; k += 2)
-      sum += signed_row(entry[k]) + signed_row(entry[k + 1]);
-    for (Index k = further_from_[body]; k < further_from_[body + 1]; k += 2)
-      sum += signed_row(further_[k]) + signed_row(further_[k + 1]);
+      sum += flipped_by(flip[k], rows_[row[k]]) + flipped_by(flip[k + 1], rows_[row[k + 1]]);
+    if (signs >= has_further) {
+      for (Index k = further_from_[body]; k < further_from_[body + 1]; k += 2)
+        sum += signed_row(further_[k]) + signed_row(further_[k + 1]);
+    }
     return sum;
   }
 
@@ -91,15 +98,29 @@ class ForceRows {
     bool first() const { return (entry & 1U) != 0; }
   };
 
-  /// Every body has so many entries at hand, and few need more: random rock has 4.8 contacts per
-  /// disc, and a loop that ends after three, five or four of them is one that processors guess
-  /// wrongly. Row 0 is zero, and fills what a body does not need.
+  /// Every body has so many rows at hand, and few need more: random rock has 4.8 contacts per disc,
+  /// and a loop that ends after three, five or four of them is one that processors guess wrongly.
+  /// Row 0 is zero, and fills what a body does not need.
   static constexpr std::size_t usual = 6;
+  static constexpr unsigned has_further = 1U << 7;  // in a body's signs
 
-  Pack signed_row(Index entry) const {
+  static Pack flipped_by(const PackMask& mask, const Pack& row) {
+    return std::bit_cast<Pack>(std::bit_cast<PackMask>(row) ^ mask);
+  }
+  static PackMask flip(bool first) {
     constexpr long long sign_bit = std::numeric_limits<long long>::min();
-    static constexpr PackMask flip[2] = {PackMask{}, PackMask{sign_bit, sign_bit, sign_bit, 0}};
-    return std::bit_cast<Pack>(std::bit_cast<PackMask>(rows_[entry >> 1]) ^ flip[entry & 1]);
+    return first ? PackMask{sign_bit, sign_bit, sign_bit, 0} : PackMask{};
+  }
+  Pack signed_row(Index entry) const {
+    return flipped_by(flip((entry & 1U) != 0), rows_[entry >> 1]);
+  }
+
+  /// What every pattern of signs does to the usual rows.
+  static std::vector<std::array<PackMask, usual>> all_flips() {
+    std::vector<std::array<PackMask, usual>> flips(1U << usual);
+    for (std::size_t signs = 0; signs < flips.size(); ++signs)
+      for (std::size_t k = 0; k < usual; ++k) flips[signs][k] = flip((signs >> k & 1U) != 0);
+    return flips;
   }
 
   /// Moves pairs that match to the front, behind those that are `paired` already.
@@ -125,17 +146,23 @@ class ForceRows {
          k += 2)
       if (pulls[k].first()) std::swap(pulls[k], pulls[k + 1]);
     further_from_.push_back(static_cast<Index>(further_.size()));
-    for (std::size_t k = 0; k < pulls.size(); ++k)
-      (k < usual ? entries_ : further_).push_back(pulls[k].entry);
-    entries_.resize(entries_.size() + usual - std::min(usual, pulls.size()), 0);
+    unsigned signs = pulls.size() > usual ? has_further : 0;
+    for (std::size_t k = 0; k < usual; ++k) {
+      usual_rows_.push_back(k < pulls.size() ? pulls[k].entry >> 1 : 0);
+      if (k < pulls.size() && pulls[k].first()) signs |= 1U << k;
+    }
+    signs_.push_back(static_cast<std::uint8_t>(signs));
+    for (std::size_t k = usual; k < pulls.size(); ++k) further_.push_back(pulls[k].entry);
     if (further_.size() % 2 != 0) further_.push_back(0);
   }
 
   std::size_t bodies_;
   std::vector<Pack> rows_{Pack{}};   // after the zero, those of the contacts
   std::vector<Pull> pulls_;          // until they are arranged
-  std::vector<Index> entries_;       // of each body: rows with their sign in the last bit
-  std::vector<Index> further_;       // of bodies with more contacts, in pairs
+  std::vector<Index> usual_rows_;    // of each body
+  std::vector<std::uint8_t> signs_;  // of each body: in which of them it is the first
+  std::vector<std::array<PackMask, usual>> flips_ = all_flips();
+  std::vector<Index> further_;       // of bodies with more contacts, in pairs: row and sign
   std::vector<Index> further_from_;  // where they begin, of each body; and the end
 };
 
