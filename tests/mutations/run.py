@@ -329,7 +329,7 @@ MUTATIONS = [
     ("pores that fill first", MATRIX, "return trial_[m] > 0 || residual_[m] > 0;", "return trial_[m] >= 0 || residual_[m] > 0;", "leakoff/half_plane"),
     ("saturation of the pores", MATRIX, "saturation_ - fluid.filling(trial_[m])", "0 - fluid.filling(trial_[m])", "leakoff/half_plane"),
     ("answer of the pores", MATRIX, "1 - through / stiffness[pore] : 1", "1 : 1", "leakoff/pores"),
-    ("limit of explicit flow in rock", MATRIX, "limit_fraction = 0.8", "limit_fraction = 8", "leakoff/half_plane"),
+    ("limit of explicit flow in rock", MATRIX, "limit_fraction = 0.8", "limit_fraction = 8", "leakoff/pores"),
     ("flow between pores", MATRIX, "f(inner[k].second, volume);", "f(inner[k].second, 0.9 * volume);", "leakoff/half_plane"),
     ("pores that are reached", MATRIX, "hardly_any = 1e-6", "hardly_any = 1", "leakoff/half_plane"),
     ("sectors of a pore's discs", DOMAINS, "twice_area / 2 - sectors", "twice_area / 2", "leakoff/pores"),
