@@ -157,13 +157,15 @@ class LinearParallelBond {
   }
 
  protected:
-  /// Moment of the bond per relative rotation, (E_b / L) I = k_bond Rb^2 / 3.
+  /// Moment of the bond per relative rotation, (E_b / L) I = k_bond Rb^2 / 3, N m per m and rad.
   template <class T>
   static T bond_moment_stiffness(const Stiffness<T>& k) noexcept {
     return (1.0 / 3.0) * k.bond * (k.bond_radius * k.bond_radius);
   }
 
-  double shear_per_normal_, bond_shear_per_normal_, friction_;
+  double shear_per_normal_;  ///< stiffness of the linear part in shear over that in compression
+  double bond_shear_per_normal_;  ///< the same of the bond
+  double friction_;               ///< coefficient of the linear part
 
  private:
   double E_, bond_E_;
