@@ -103,9 +103,8 @@ void run(const std::string& name, const Options& options) {
     sim->use_threads(options.threads);
   });
   const OutputFolder out(folder);
-  const Manifest none{};  // results keep a reference to it, as to what was measured
-  const std::optional<MeasuredRock> unmeasured;
-  RockResults<Config> results(out, config, none, unmeasured, fractures.fractures.size(), false);
+  const Manifest none{};  // results keep a reference
+  RockResults<Config> results(out, config, none, {}, fractures.fractures.size(), false);
   shares.output += seconds([&] { results.begin(*sim); });
   TimedResults<RockResults<Config>> observer{results};
   const RunEnd end = end_of(sim, [&] { sim->run_until(config.run.end_time, observer); });
