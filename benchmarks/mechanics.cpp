@@ -62,9 +62,8 @@ void measure(const std::string& name, const Specimen& specimen, int rounds) {
   };
   const double limit = bytes / triad.bytes();
   std::printf(
-      "| %s | %zu | %zu | %.2f | %.2f | %.1f | %.1f | %.2f | %.2f | %.2f | %.0f %% | %.0f %% | "
-      "%.2f | "
-      "%.2f |\n",
+      "| %s | %zu | %zu | %.2f | %.2f | %.1f | %.1f | %.2f | %.2f | %.2f "
+      "| %.0f %% | %.0f %% | %.2f | %.2f |\n",
       name.c_str(), specimen.size(), total.body().contacts().size(), per_contact(0), per_contact(1),
       particles / times.time(0) * 1e-6, particles / times.time(1) * 1e-6, times.ratio(0, 1),
       per_contact(2), times.ratio(0, 2), 100 * limit * times.ratio(3, 0),
@@ -82,11 +81,10 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", rounds, "how often everything is timed");
   CLI11_PARSE(app, argc, argv);
   std::printf(
-      "| specimen | discs | contacts | ns per contact-step | on 2 threads | 1e6 particle-steps/s | "
-      "on "
-      "2 threads | gain of 2 threads | by hand ns | over by hand | of the triad | of the triad on "
-      "2 "
-      "threads | triad's gain of 2 threads | incremental form ns |\n"
+      "| specimen | discs | contacts | ns per contact-step | on 2 threads "
+      "| 1e6 particle-steps/s | on 2 threads | gain of 2 threads | by hand ns | over by hand "
+      "| of the triad | of the triad on 2 threads | triad's gain of 2 threads "
+      "| incremental form ns |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const std::size_t discs : sizes) {
     measure("square", square_rock(discs), rounds);

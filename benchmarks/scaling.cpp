@@ -61,8 +61,8 @@ int main(int argc, char** argv) {
   Rock paper(random_rock(17511));
   paper.steps(100, 1);
   std::printf(
-      "| discs | contacts | ns per disc and step | on 2 threads | over 17511 discs | on 2 threads "
-      "| "
-      "peak memory GiB |\n|---|---|---|---|---|---|---|\n");
+      "| discs | contacts | ns per disc and step | on 2 threads | over 17511 discs "
+      "| on 2 threads | peak memory GiB |\n"
+      "|---|---|---|---|---|---|---|\n");
   for (const std::size_t discs : sizes) measure(paper, discs, rounds);
 }

@@ -6,8 +6,8 @@
 /// Min. Sci. 41 (2004) 1329-1364, Eqs. 9-14. Springs, strengths and slip are those of
 /// `LinearParallelBond`; but every contact remembers its forces, and each step adds what the motion
 /// since the last step changes. Only the normal force of the linear part follows from the overlap.
-/// Both forms have the same forces to round-off; this one reads and writes seven numbers per
-/// contact and step more.
+/// Both forms have the same forces to round-off; this one remembers seven numbers per contact,
+/// which change in every step, where the other has one, which changes with slip.
 #pragma once
 
 #include <hfdem/contact/linear_parallel_bond.hpp>
