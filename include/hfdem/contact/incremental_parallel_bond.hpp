@@ -3,7 +3,7 @@
 /// comparison with it.
 ///
 /// Source: D. O. Potyondy, P. A. Cundall, "A bonded-particle model for rock", Int. J. Rock Mech.
-/// Min. Sci. 41 (2004) 1329-1364, Eqs. 9-14. Springs, strengths and slip are those of
+/// Min. Sci. 41 (2004) 1329-1364, Section 2. Springs, strengths and slip are those of
 /// `LinearParallelBond`; but every contact remembers its forces, and each step adds what the motion
 /// since the last step changes. Only the normal force of the linear part follows from the overlap.
 /// Both forms have the same forces to round-off; this one remembers seven numbers per contact,
