@@ -17,6 +17,7 @@
 #include <hfdem/mechanics/loading.hpp>
 #include <hfdem/mechanics/motion.hpp>
 #include <hfdem/mechanics/stable_step.hpp>
+#include <hfdem/mechanics/sweep.hpp>
 #include <hfdem/mechanics/uniform_strain.hpp>
 #include <hfdem/setup/bonding.hpp>
 #include <hfdem/state/concepts.hpp>
@@ -48,13 +49,16 @@ class Assembly {
         forces_(discs_.size() + all_sides.size()),
         rock_(make_rock(law)),
         joints_(make_joints(joint_law(law))),
-        platens_(make_platens()) {
+        platens_(make_platens()),
+        sweep_(discs_.size(), geometry().first(rock_.size())) {
     forces_.arrange();
     const FrequencyBound bound = frequency_bound();
     motion_ = DiscMotion(discs_, step_fraction * stable_step(bound.value(), damping), damping);
     springs_ = {bound, discs_};
     step_factor_ = step_fraction * stable_step(1, damping);
     for (const Side side : all_sides) motion_.leave_out(loading_.rim(side));
+    lever_ = rock_.longest_arm();
+    for (const double radius : discs_.radius) lever_ = max(lever_, radius);
   }
 
   // ---- one mechanical step ----------------------------------------------------------------------
@@ -64,11 +68,24 @@ class Assembly {
   template <class Note>
   void find_forces(int threads, Note&& note) {
     rock_.evaluate(discs_.displacement, forces_.rows(), threads);
-    joints_.contacts().evaluate(discs_.displacement, forces_.rows(), threads);
-    platens_.evaluate(discs_.displacement, forces_.rows(), threads);
+    find_other_forces(threads);
     rock_.break_bonds(discs_.displacement, forces_.rows(), note);
-    joints_.contacts().break_bonds(discs_.displacement, forces_.rows(),
-                                   [&](Index joint, Mode mode) { note(number_of(joint), mode); });
+    break_joints(note);
+  }
+
+  /// The same for a step that `move` follows at once: where no bond of the rock can break, its
+  /// forces are left for `move` to find on the way, which is faster; the result is the same.
+  template <class Note>
+  void break_bonds(int threads, Note&& note) {
+    if constexpr (ForeseesFailure<RockLawOf<Contact>>) {
+      if (rock_.all_hold(discs_.displacement, threads)) {
+        find_other_forces(threads);
+        break_joints(note);
+        to_sweep_ = true;
+        return;
+      }
+    }
+    find_forces(threads, note);
   }
 
   /// Sets the force that the fluid exerts on a disc, N per m, beside a dead load.
@@ -93,9 +110,13 @@ class Assembly {
   /// @returns the largest resultant force on a disc before damping, N per m
   double move(bool settling, int threads) {
     loading_.step(discs_, forces_, settling);
-    const double largest = motion_.step(discs_, forces_, threads);
+    const DiscMotion::Moved moved = std::exchange(to_sweep_, false)
+                                        ? sweep_.step(rock_, discs_, forces_, motion_, threads)
+                                        : motion_.step(discs_, forces_, threads);
+    // Two discs part by at most twice what each component moves, along and across the contact.
+    rock_.moved(4 * (moved.distance + lever_ * moved.rotation));
     if (joints_.size() > joints_.bonded() && ++steps_ % between_meetings == 0) joints_.meet(discs_);
-    return largest;
+    return moved.resultant;
   }
 
   // ---- other verbs ------------------------------------------------------------------------------
@@ -107,6 +128,7 @@ class Assembly {
     loading_.set_stress(stress);
     shorten(discs_, uniform_strain_.shortening({stress.xx - before.xx, stress.yy - before.yy}),
             loading_.width(), loading_.height());
+    rock_.displaced();
   }
 
   /// Whatever its strength.
@@ -237,6 +259,16 @@ class Assembly {
   }
 
  private:
+  void find_other_forces(int threads) {
+    joints_.contacts().evaluate(discs_.displacement, forces_.rows(), threads);
+    platens_.evaluate(discs_.displacement, forces_.rows(), threads);
+  }
+  template <class Note>
+  void break_joints(Note&& note) {
+    joints_.contacts().break_bonds(discs_.displacement, forces_.rows(),
+                                   [&](Index joint, Mode mode) { note(number_of(joint), mode); });
+  }
+
   ContactRange<RockLawOf<Contact>> make_rock(const Contact& law) {
     const auto rock = geometry().first(parted_.of_rock);
     std::vector<typename Contact::template Stiffness<double>> stiffness;
@@ -317,8 +349,11 @@ class Assembly {
   ContactRange<RockLawOf<Contact>> rock_;
   JointContacts<JointLawOf<Contact>> joints_;
   ContactRange<SmoothPlaten> platens_;
+  Sweep sweep_;
   DiscMotion motion_;
   SpringBound springs_;
+  double lever_ = 0;        ///< no arm and no radius is longer, m
+  bool to_sweep_ = false;   ///< `move` is to find the forces in the rock
   double step_factor_ = 0;  ///< mechanical time step times the largest frequency
   /// Discs move by less than a thousandth of their radius meanwhile.
   static constexpr long between_meetings = 100;

@@ -267,10 +267,14 @@ class Simulator {
   template <class... Observers>
   Relaxed relax(bool settling, Observers&... observers) {
     const std::size_t broken_before = breaks_.size(), wet_before = network_.wet_channels().size();
-    assembly_.find_forces(threads_, [&](Index contact, Mode mode) {
+    const auto note = [&](Index contact, Mode mode) {
       breaks_.push_back({time_, contact, mode, injection_pressure()});
       network_.open(contact);
-    });
+    };
+    if constexpr ((hears_mechanical_steps<Observers, Simulator> || ...))
+      assembly_.find_forces(threads_, note);
+    else
+      assembly_.break_bonds(threads_, note);
     const std::size_t broken = breaks_.size() - broken_before;
     if (broken > 0 && Pressure::holds_fluid) detail::stop_at_rim(network_, time_);
     const double joined = flood_joints(wet_before);

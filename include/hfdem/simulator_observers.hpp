@@ -42,12 +42,18 @@ void tell_bond_break(Observer& observer, const Sim& sim, const BondBreak& broken
   if constexpr (requires { observer.bond_break(sim, broken); }) observer.bond_break(sim, broken);
 }
 
+/// An observer that asks for every mechanical step.
+template <class Observer, class Sim>
+concept hears_mechanical_steps = requires(Observer& observer, const Sim& sim) {
+  observer.mechanical_step(sim);
+};
+
 /// In a mechanical step, once its forces and loads are known and before anything moves: calls
 /// `observer.mechanical_step(sim)` where it exists. Displacements and forces are those of the same
 /// instant, velocities those of half a step before.
 template <class Observer, class Sim>
 void tell_mechanical_step(Observer& observer, const Sim& sim) {
-  if constexpr (requires { observer.mechanical_step(sim); }) observer.mechanical_step(sim);
+  if constexpr (hears_mechanical_steps<Observer, Sim>) observer.mechanical_step(sim);
 }
 
 }  // namespace hfdem

@@ -38,7 +38,7 @@ struct Column {
 
   const Pack& displacement(std::size_t i) const { return discs.displacement[i]; }
   const Pack& velocity(std::size_t i) const { return discs.velocity[i]; }
-  double step() { return motion.step(discs, forces, 1); }
+  double step() { return motion.step(discs, forces, 1).resultant; }
 
  private:
   static hfdem::Specimen specimen(std::size_t count) {

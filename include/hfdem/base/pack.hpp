@@ -95,6 +95,20 @@ inline constexpr bool holds_only_packs = [] {
   (std::make_index_sequence < std::is_empty_v<Four> ? 0 : sizeof(Four) / sizeof(Pack) > {});
 }();
 
+/// Whether two records of packs are not the same, bit for bit.
+template <class Four>
+bool differ(const Four& one, const Four& other) {
+  if constexpr (std::is_empty_v<Four>) {
+    return false;
+  } else {
+    using Bits = std::array<PackMask, sizeof(Four) / sizeof(Pack)>;
+    const auto a = std::bit_cast<Bits>(one), b = std::bit_cast<Bits>(other);
+    PackMask difference{};
+    for (std::size_t m = 0; m < a.size(); ++m) difference |= a[m] ^ b[m];
+    return any(difference);
+  }
+}
+
 /// A column of records, `Record<double>` each, stored four to a block as `Record<Pack>`: the loop
 /// reads whole blocks, everything else reads and writes single records.
 /// @tparam Record an aggregate template whose members are all of its value type.
@@ -134,18 +148,10 @@ class PackedColumn {
     blocks_[index / pack_width] = std::bit_cast<Four>(values);
   }
 
-  /// Whether block `b` is not the same, bit for bit, as `other`.
-  bool differs(std::size_t b, const Four& other) const {
-    if constexpr (members == 0) {
-      return false;
-    } else {
-      const auto mine = std::bit_cast<std::array<PackMask, members>>(blocks_[b]);
-      const auto theirs = std::bit_cast<std::array<PackMask, members>>(other);
-      PackMask difference{};
-      for (std::size_t m = 0; m < members; ++m) difference |= mine[m] ^ theirs[m];
-      return any(difference);
-    }
-  }
+  /// All blocks, for a loop.
+  Four* blocks() { return blocks_.data(); }
+  /// All blocks, for a loop.
+  const Four* blocks() const { return blocks_.data(); }
 
   /// The record of one lane of a block (`index` modulo four).
   static One lane(const Four& block, std::size_t index) {

@@ -38,6 +38,20 @@ void for_chunks(std::size_t count, std::size_t grain, [[maybe_unused]] int threa
   for (std::size_t c = 0; c < chunks; ++c) run(c);
 }
 
+/// Calls `f(part)` for every part, each on a thread of its own, which is the same one every time
+/// and finds its data in its caches.
+template <class F>
+void for_parts(std::size_t parts, F&& f) {
+#ifdef _OPENMP
+  if (parts > 1) {
+#pragma omp parallel for schedule(static, 1) num_threads(static_cast <int>(parts))
+    for (std::size_t part = 0; part < parts; ++part) f(part);
+    return;
+  }
+#endif
+  for (std::size_t part = 0; part < parts; ++part) f(part);
+}
+
 /// Calls `f(task)` for every task, each on one thread, the next one as soon as a thread is free:
 /// for few long tasks that share nothing. `f` must not throw.
 template <class F>

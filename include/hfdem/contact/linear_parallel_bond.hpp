@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -154,6 +155,20 @@ class LinearParallelBond {
     const T shear_strength =
         twice_cohesion_ * k.bond_radius + tan_friction_angle_ * max(T{}, r.bond_normal);
     return {in_tension, abs(r.bond_shear) > shear_strength};
+  }
+
+  /// How far a contact may still move before its bond can fail, m (see `ForeseesFailure`): both
+  /// criteria are linear in the forces, and these in the motion.
+  template <class T>
+  T margin(const Stiffness<T>& k, const Response<T>& r) const noexcept {
+    const T tension = thrice_moment_factor_ * abs(r.bond_moment) - r.bond_normal * k.bond_radius;
+    const T to_tension = (twice_tensile_strength_ * k.bond_radius) * k.bond_radius - tension;
+    const T to_shear = twice_cohesion_ * k.bond_radius +
+                       tan_friction_angle_ * max(T{}, r.bond_normal) - abs(r.bond_shear);
+    const T smaller = min(to_tension / k.bond_radius,
+                          to_shear * (1 / std::fmax(tan_friction_angle_, bond_shear_per_normal_)));
+    const T unlimited = T{} + std::numeric_limits<double>::max();
+    return k.bond > T{} ? T(smaller / k.bond) : unlimited;
   }
 
  protected:

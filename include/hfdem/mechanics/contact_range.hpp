@@ -8,12 +8,15 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include <hfdem/base/pack.hpp>
 #include <hfdem/base/parallel.hpp>
+#include <hfdem/mechanics/contact_blocks.hpp>
+#include <hfdem/mechanics/foresight.hpp>
 #include <hfdem/state/contact.hpp>
 #include <hfdem/state/law_concepts.hpp>
 
@@ -39,10 +42,12 @@ class ContactRange {
         frame_(padded_size()),
         stiffness_(padded_size()),
         memory_(padded_size()),
-        suspect_((bodies_.size() + grain - 1) / grain, 0) {
+        suspect_((bodies_.size() + grain - 1) / grain, 0),
+        longest_arm_(longest_arm(geometry)),
+        foresight_(suspect_.size(), rounding * longest_arm_) {
     for (std::size_t c = 0; c < size_; ++c) {
-      bodies_[c / pack_width].first[c % pack_width] = geometry[c].bodies.first;
-      bodies_[c / pack_width].second[c % pack_width] = geometry[c].bodies.second;
+      bodies_[c / pack_width].first[c % pack_width] = RowPlace::of(geometry[c].bodies.first);
+      bodies_[c / pack_width].second[c % pack_width] = RowPlace::of(geometry[c].bodies.second);
       frame_.set(c, geometry[c].frame);
       stiffness_.set(c, stiffness[c]);
     }
@@ -56,8 +61,8 @@ class ContactRange {
 
   /// The two bodies of contact c.
   Pair bodies(std::size_t c) const {
-    const Bodies& b = bodies_[c / pack_width];
-    return {b.first[c % pack_width], b.second[c % pack_width]};
+    const auto& [first, second] = bodies_[c / pack_width];
+    return {RowPlace::row(first[c % pack_width]), RowPlace::row(second[c % pack_width])};
   }
   Frame<double> frame(std::size_t c) const { return frame_[c]; }      ///< normal and arms
   Stiffness stiffness(std::size_t c) const { return stiffness_[c]; }  ///< at present
@@ -74,13 +79,32 @@ class ContactRange {
     return law_.respond(stiffness_[c], memory_[c], motion(c, displacement));
   }
 
+  // ---- the loop ---------------------------------------------------------------------------------
+
+  /// All contacts, four to a block, at these displacements.
+  /// @param force rows that are written, of all laws
+  ContactBlocks<Law> blocks(std::span<const Pack> displacement, std::span<Pack> force) {
+    return {law_,
+            bodies_.data(),
+            frame_.blocks(),
+            stiffness_.blocks(),
+            memory_.blocks(),
+            displacement.data(),
+            force.data() + first_row_};
+  }
+
   /// Evaluates every contact at the given displacements and writes the force rows.
   void evaluate(std::span<const Pack> displacement, std::span<Pack> force, int threads) {
     for_chunks(bodies_.size(), grain, threads,
-               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+               [&, all = blocks(displacement, force)](std::size_t chunk, std::size_t begin,
+                                                      std::size_t end) {
+                 const ContactBlocks<Law> contacts = all;
                  PackMask over_strength{};
-                 for (std::size_t b = begin; b < end; ++b)
-                   over_strength |= evaluate_block(b, displacement.data(), force.data());
+                 for (std::size_t b = begin; b < end; ++b) {
+                   const auto response = contacts.evaluate(b);
+                   if constexpr (BreakableLaw<Law>)
+                     over_strength |= over(contacts.law.failure(contacts.stiffness[b], response));
+                 }
                  suspect_[chunk] = any(over_strength);
                });
   }
@@ -90,12 +114,12 @@ class ContactRange {
   template <class Note>
   void break_bonds(std::span<const Pack> displacement, std::span<Pack> force,
                    Note&& note) requires BreakableLaw<Law> {
+    const ContactBlocks<Law> contacts = blocks(displacement, force);
     for (std::size_t chunk = 0; chunk < suspect_.size(); ++chunk) {
       if (suspect_[chunk] == 0) continue;
-      const std::size_t end = std::min(bodies_.size(), (chunk + 1) * grain);
-      for (std::size_t b = chunk * grain; b < end; ++b) {
-        const auto failure = block_failure(b, displacement.data());
-        const PackMask failed = failure.tension | failure.shear;
+      for (std::size_t b = chunk * grain; b < end_of(chunk); ++b) {
+        const auto failure = law_.failure(contacts.stiffness[b], contacts.response(b));
+        const PackMask failed = over(failure);
         if (!any(failed)) continue;
         for (std::size_t lane = 0; lane < pack_width; ++lane) {
           if (failed[lane] == 0) continue;
@@ -103,79 +127,85 @@ class ContactRange {
           break_bond(c);
           note(static_cast<Index>(c), failure.tension[lane] != 0 ? Mode::tension : Mode::shear);
         }
-        evaluate_block(b, displacement.data(), force.data());
+        contacts.evaluate(b);
       }
       suspect_[chunk] = 0;
     }
   }
 
+  /// Whether no bond can fail at these displacements; asks the law where that is not sure.
+  bool all_hold(std::span<const Pack> displacement, int threads) requires ForeseesFailure<Law> {
+    if (foresight_.sure()) return true;
+    const auto& unsure = foresight_.unsure();
+    for_chunks(unsure.size(), 1, threads,
+               [&, all = blocks(displacement, {})](std::size_t k, std::size_t, std::size_t) {
+                 const ContactBlocks<Law> contacts = all;
+                 Pack least = Pack{} + std::numeric_limits<double>::max();
+                 for (std::size_t b = unsure[k] * grain; b < end_of(unsure[k]); ++b)
+                   least =
+                       min(least, contacts.law.margin(contacts.stiffness[b], contacts.response(b)));
+                 foresight_.tell(unsure[k], min(min(least[0], least[1]), min(least[2], least[3])));
+               });
+    foresight_.count();
+    return foresight_.sure();
+  }
+  /// From a disc's centre to its farthest contact point, m.
+  double longest_arm() const { return longest_arm_; }
+  /// Tells `all_hold` that no contact's motion has changed by more than this, m, in a step.
+  void moved(double at_most) { foresight_.moved(at_most); }
+  /// Tells it that discs have moved otherwise.
+  void displaced() { foresight_.forget(); }
+
+  // ---- other verbs ------------------------------------------------------------------------------
+
   /// Leaves contact c with what its law has without a bond.
   void break_bond(std::size_t c) requires BreakableLaw<Law> {
-    stiffness_.set(c, law_.broken(stiffness_[c]));
+    set_stiffness(c, law_.broken(stiffness_[c]));
   }
 
   /// Replaces what is otherwise fixed of contact c.
-  void set_stiffness(std::size_t c, const Stiffness& k) { stiffness_.set(c, k); }
+  void set_stiffness(std::size_t c, const Stiffness& k) {
+    stiffness_.set(c, k);
+    foresight_.forget(c / pack_width / grain);
+  }
 
   /// What is left of the bonds, and what the contacts remember.
   void exchange(auto& archive) {
     if constexpr (BreakableLaw<Law>) archive(stiffness_);
     archive(memory_);
+    displaced();
   }
 
  private:
-  struct Bodies {
-    std::array<Index, pack_width> first{}, second{};
-  };
   /// Blocks that one thread takes at a time, and that the cold pass looks at together.
   static constexpr std::size_t grain = 64;
 
+  /// Of an arm: motions smaller than this may be lost when displacements are rounded.
+  static constexpr double rounding = 1e-9;
+
+  static double longest_arm(std::span<const ContactGeometry> geometry) {
+    double longest = 0;
+    for (const auto& [bodies, f] : geometry)
+      longest = std::fmax(longest, f.arm_mean + std::abs(f.arm_half_difference));
+    return longest;
+  }
+
   static std::size_t block_count(std::size_t size) { return (size + pack_width - 1) / pack_width; }
 
-  Motion<Pack> block_motion(std::size_t block, const Pack* displacement) const {
-    const auto& [first, second] = bodies_[block];
-    Pack a = displacement[second[0]] + flipped(displacement[first[0]]);
-    Pack b = displacement[second[1]] + flipped(displacement[first[1]]);
-    Pack c = displacement[second[2]] + flipped(displacement[first[2]]);
-    Pack d = displacement[second[3]] + flipped(displacement[first[3]]);
-    transpose(a, b, c, d);
-    return frame_.block(block).motion(a, b, c, d);
+  std::size_t end_of(std::size_t chunk) const {
+    return std::min(bodies_.size(), (chunk + 1) * grain);
   }
-
-  /// Inlined even where little is: a function that returns a pack has no portable way to.
-  [[gnu::always_inline]] PackMask evaluate_block(std::size_t b, const Pack* displacement,
-                                                 Pack* force) {
-    const auto& k = stiffness_.block(b);
-    const auto response = law_.respond(k, memory_.block(b), block_motion(b, displacement));
-    if (memory_.differs(b, response.memory)) memory_.block(b) = response.memory;
-    Pack* row = force + first_row_ + b * pack_width;
-    Pack r0, r1, r2, r3;
-    frame_.block(b).force(response.reaction(), r0, r1, r2, r3);
-    transpose(r0, r1, r2, r3);
-    row[0] = r0;
-    row[1] = r1;
-    row[2] = r2;
-    row[3] = r3;
-    if constexpr (BreakableLaw<Law>) {
-      const auto failure = law_.failure(k, response);
-      return failure.tension | failure.shear;
-    } else {
-      return PackMask{};
-    }
-  }
-
-  auto block_failure(std::size_t b, const Pack* displacement) const {
-    const auto& k = stiffness_.block(b);
-    return law_.failure(k, law_.respond(k, memory_.block(b), block_motion(b, displacement)));
-  }
+  static PackMask over(const Failure<Pack>& failure) { return failure.tension | failure.shear; }
 
   Law law_;
   std::size_t size_, first_row_;
-  std::vector<Bodies> bodies_;
+  std::vector<BodiesOfBlock> bodies_;
   PackedColumn<Frame> frame_;
   PackedColumn<Law::template Stiffness> stiffness_;
   PackedColumn<Law::template Memory> memory_;
   std::vector<char> suspect_;
+  double longest_arm_;
+  Foresight foresight_;
 };
 
 }  // namespace hfdem

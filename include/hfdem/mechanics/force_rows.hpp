@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <hfdem/base/pack.hpp>
+#include <hfdem/base/row_place.hpp>
 #include <hfdem/state/contact.hpp>
 
 namespace hfdem {
@@ -73,12 +74,14 @@ class ForceRows {
   /// Sum of the rows that act on a body: (x, y) in N per m; its torque is the sum of the other two.
   /// Inlined wherever it is called: a function that returns a pack has no portable way to.
   [[gnu::always_inline]] Pack total(std::size_t body) const {
-    const Index* row = usual_rows_.data() + usual * body;
+    const Index* place = usual_rows_.data() + usual * body;
+    const Pack* rows = rows_.data();
     const unsigned signs = signs_[body];
     const auto& flip = flips_[signs % (1U << usual)];
     Pack sum{};
     for (std::size_t k = 0; k < usual; k += 2)
-      sum += flipped_by(flip[k], rows_[row[k]]) + flipped_by(flip[k + 1], rows_[row[k + 1]]);
+      sum += flipped_by(flip[k], RowPlace::at(rows, place[k])) +
+             flipped_by(flip[k + 1], RowPlace::at(rows, place[k + 1]));
     if (signs >= has_further) {
       for (Index k = further_from_[body]; k < further_from_[body + 1]; k += 2)
         sum += signed_row(further_[k]) + signed_row(further_[k + 1]);
@@ -148,7 +151,7 @@ class ForceRows {
     further_from_.push_back(static_cast<Index>(further_.size()));
     unsigned signs = pulls.size() > usual ? has_further : 0;
     for (std::size_t k = 0; k < usual; ++k) {
-      usual_rows_.push_back(k < pulls.size() ? pulls[k].entry >> 1 : 0);
+      usual_rows_.push_back(RowPlace::of(k < pulls.size() ? pulls[k].entry >> 1 : 0));
       if (k < pulls.size() && pulls[k].first()) signs |= 1U << k;
     }
     signs_.push_back(static_cast<std::uint8_t>(signs));
@@ -159,7 +162,7 @@ class ForceRows {
   std::size_t bodies_;
   std::vector<Pack> rows_{Pack{}};   // after the zero, those of the contacts
   std::vector<Pull> pulls_;          // until they are arranged
-  std::vector<Index> usual_rows_;    // of each body
+  std::vector<Index> usual_rows_;    // places of those of each body
   std::vector<std::uint8_t> signs_;  // of each body: in which of them it is the first
   std::vector<std::array<PackMask, usual>> flips_ = all_flips();
   std::vector<Index> further_;       // of bodies with more contacts, in pairs: row and sign

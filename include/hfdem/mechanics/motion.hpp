@@ -5,6 +5,7 @@
 /// F - d |F| sign(v), component by component.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -34,9 +35,7 @@ class DiscMotion {
   /// @param dt mechanical time step, s
   /// @param damping local damping coefficient d
   DiscMotion(const Discs& discs, double dt, double damping)
-      : damping_(damping),
-        dt_over_inertia_(discs.size(), {1, 1}),
-        largest_in_chunk_((discs.size() + grain - 1) / grain) {
+      : damping_(damping), dt_over_inertia_(discs.size(), {1, 1}) {
     set_dt(discs, dt);
   }
 
@@ -50,7 +49,7 @@ class DiscMotion {
 
   double dt() const { return dt_; }  ///< mechanical time step, s
 
-  /// Leaves discs out of the largest resultant that `step` returns: a loose grain that carries a
+  /// Leaves discs out of the largest resultant: a loose grain that carries a
   /// dead load alone finds no equilibrium.
   void leave_out(std::span<const Index> discs) {
     if (discs.empty()) return;
@@ -60,32 +59,68 @@ class DiscMotion {
   /// A disc that from now on keeps its velocity, whatever pulls on it.
   void keep_velocity(Index disc) { dt_over_inertia_[disc] = {0, 0}; }
 
-  /// Gathers all forces on each disc and moves it by one time step.
-  /// @returns the largest resultant force on a disc before damping, N per m; not a finite number if
-  ///   any resultant is not
-  double step(Discs& discs, const ForceRows& forces, int threads) {
-    for_chunks(
-        discs.size(), grain, threads, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-          Pack largest{}, sum{};
-          for (std::size_t i = begin; i < end; ++i) {
-            const auto [x, y] = discs.load[i];
-            const Pack force = forces.total(i) + Pack{x, y, 0, 0};
-            const Pack square = force * force;
-            if (counted_.empty() || counted_[i])
-              largest = max(largest, square + __builtin_shufflevector(square, square, 1, 0, 3, 2));
-            sum += square;
-            move(discs, i, force);
-          }
-          // A maximum loses what is not a number; a sum keeps it.
-          const double total = sum[0] + sum[1] + sum[2] + sum[3];
-          largest_in_chunk_[chunk] = std::isfinite(total) ? largest[0] : total;
-        });
-    double largest = 0;
-    for (const double square : largest_in_chunk_) {
-      if (!std::isfinite(square)) return square;
-      largest = max(largest, square);
+  /// What moving a range of discs came to.
+  struct Tally {
+    Pack largest{};  ///< of the squares of the resultants, (N per m)^2
+    Pack sum{};      ///< of these squares: a maximum loses what is not a number, a sum keeps it
+    Pack fastest{};  ///< of the components of velocity, m/s and rad/s
+  };
+
+  /// Gathers all forces on discs `begin` to `end` - 1 and moves them by one time step.
+  [[gnu::always_inline]] void move(std::size_t begin, std::size_t end, Discs& discs,
+                                   const ForceRows& forces, Tally& tally) const {
+    // Pointers that nothing written here can change.
+    const Vec2* load = discs.load.data();
+    const DtOverInertia* dt_over_inertia = dt_over_inertia_.data();
+    Pack *velocities = discs.velocity.data(), *displacement = discs.displacement.data();
+    const double dt = dt_, damping = damping_;
+    const bool all_count = counted_.empty();
+    Tally sofar = tally;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Pack force = forces.total(i) + widened(load[i]);
+      const Pack square = force * force;
+      if (all_count || counted_[i])
+        sofar.largest =
+            max(sofar.largest, square + __builtin_shufflevector(square, square, 1, 0, 3, 2));
+      sofar.sum += square;
+      const Pack pull = with_whole_torque(force), before = velocities[i];
+      const Pack damped = pull - local_damping(damping, pull, before);
+      const Pack velocity = before + damped * doubled(dt_over_inertia[i]);
+      velocities[i] = velocity;
+      sofar.fastest = max(sofar.fastest, abs(velocity));
+      displacement[i] += velocity * dt;
     }
-    return std::sqrt(largest);
+    tally = sofar;
+  }
+
+  /// What a step came to.
+  struct Moved {
+    double resultant;           ///< the largest on a disc before damping, N per m; not a finite
+                                ///< number if any resultant is not
+    double distance, rotation;  ///< no component of a displacement, m, and no rotation, rad, has
+                                ///< changed by more
+  };
+
+  /// Moves all discs by one time step.
+  Moved step(Discs& discs, const ForceRows& forces, int threads) {
+    tallies_.assign((discs.size() + grain - 1) / grain, {});
+    for_chunks(discs.size(), grain, threads,
+               [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                 move(begin, end, discs, forces, tallies_[chunk]);
+               });
+    return moved(tallies_);
+  }
+
+  /// Puts the tallies of all discs together.
+  Moved moved(std::span<const Tally> tallies) const {
+    Pack largest{}, fastest{};
+    for (const Tally& t : tallies) {
+      const double total = t.sum[0] + t.sum[1] + t.sum[2] + t.sum[3];
+      if (!std::isfinite(total)) return {total, total, total};
+      largest = max(largest, t.largest);
+      fastest = max(fastest, t.fastest);
+    }
+    return {std::sqrt(largest[0]), dt_ * max(fastest[0], fastest[1]), dt_ * fastest[2]};
   }
 
  private:
@@ -94,19 +129,21 @@ class DiscMotion {
   };
   static constexpr std::size_t grain = 256;
 
-  void move(Discs& discs, std::size_t i, const Pack& force) const {
-    const Pack pull = with_whole_torque(force);
-    Pack& velocity = discs.velocity[i];
-    const Pack damped = pull - local_damping(damping_, pull, velocity);
-    const auto [translation, rotation] = dt_over_inertia_[i];
-    velocity += damped * Pack{translation, translation, rotation, rotation};
-    discs.displacement[i] += velocity * dt_;
+  using Two = double __attribute__((vector_size(16)));
+  /// (a, b, 0, 0)
+  static Pack widened(const Vec2& two) {
+    return __builtin_shufflevector(std::bit_cast<Two>(two), Two{}, 0, 1, 2, 3);
+  }
+  /// (a, a, b, b)
+  static Pack doubled(const DtOverInertia& two) {
+    const Two both = std::bit_cast<Two>(two);
+    return __builtin_shufflevector(both, both, 0, 0, 1, 1);
   }
 
   double dt_ = 0, damping_ = 0;
   std::vector<DtOverInertia> dt_over_inertia_;
   std::vector<bool> counted_;  // empty if all are
-  std::vector<double> largest_in_chunk_;
+  std::vector<Tally> tallies_;
 };
 
 }  // namespace hfdem

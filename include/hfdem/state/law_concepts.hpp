@@ -122,6 +122,39 @@ concept VaryingLaw = ContactLaw<L> &&
   noexcept->std::same_as<typename L::template Stiffness<double>>;
 };
 
+namespace detail {
+template <class Member>
+struct ClassOf;
+template <class Class, class Function>
+struct ClassOf<Function Class::*> {
+  using Type = Class;
+};
+template <class Member>
+using class_of = typename ClassOf<Member>::Type;
+}  // namespace detail
+
+/// `margin(stiffness, response)` for one value type: how far a contact may still move before its
+/// bond can fail, m. It counts only if it comes from the class that says how the contact responds
+/// and fails, or from one derived of it: a law that changes either of another law's formulas does
+/// not inherit its margin.
+template <class L, class T>
+concept foresees_failure_for_value_type =
+    std::derived_from<detail::class_of<decltype(&L::template margin<T>)>,
+                      detail::class_of<decltype(&L::template failure<T>)>> &&
+    std::derived_from<detail::class_of<decltype(&L::template margin<T>)>,
+                      detail::class_of<decltype(&L::template respond<T>)>> &&
+    requires(const L& law, const typename L::template Stiffness<T>& stiffness,
+             const typename L::template Memory<T>& memory, const Motion<T>& motion) {
+  { law.margin(stiffness, law.respond(stiffness, memory, motion)) } -> std::same_as<T>;
+};
+
+/// A law that says how far its bonds are from failing, so that the loop need not ask whether they
+/// do in every step: no bond fails while |change of opening| + |change of shear| + |change of
+/// rotation| times the smaller disc's radius stays below the margin. Other laws are asked.
+template <class L>
+concept ForeseesFailure = BreakableLaw<L> && foresees_failure_for_value_type<L, double> &&
+    foresees_failure_for_value_type<L, Pack>;
+
 // ---- joint law ----------------------------------------------------------------------------------
 
 /// `stiffness(length)` gives a new contact that stands for so many metres of fracture;

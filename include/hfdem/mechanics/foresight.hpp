@@ -1,0 +1,72 @@
+/// @file
+/// How long the bonds are sure to hold: a book of how far the discs have moved at most.
+///
+/// A law with a margin (`ForeseesFailure`) says how far a contact is from failing. Until some
+/// contact can have moved so far, nobody needs to ask, and a step can move discs while forces
+/// elsewhere are not known yet (see sweep.hpp). What is foreseen depends on chances of rounding and
+/// timing in no way: a step that asks in vain has the same result.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace hfdem {
+
+/// Chunks of contacts, and how long each is sure to hold.
+class Foresight {
+ public:
+  /// @param chunks of contacts
+  /// @param rounding motion that rounding may hide, m
+  Foresight(std::size_t chunks, double rounding) : sure_until_(chunks), rounding_(rounding) {
+    forget();
+  }
+
+  /// Nothing is sure any more: something other than steps has moved or changed the contacts.
+  void forget() {
+    sure_until_.assign(sure_until_.size(), lowest);
+    first_end_ = lowest;
+    distance_ = 0;
+  }
+
+  /// This chunk is not sure any more.
+  void forget(std::size_t chunk) {
+    sure_until_[chunk] = lowest;
+    first_end_ = lowest;
+  }
+
+  /// No contact's motion has changed by more than this, m, since the last step.
+  void moved(double at_most) { distance_ += at_most; }
+
+  /// Whether all contacts are sure to hold.
+  bool sure() const { return distance_ < first_end_; }
+
+  /// The chunks that are not sure to hold.
+  const std::vector<std::size_t>& unsure() {
+    due_.clear();
+    for (std::size_t chunk = 0; chunk < sure_until_.size(); ++chunk)
+      if (!(distance_ < sure_until_[chunk])) due_.push_back(chunk);
+    return due_;
+  }
+
+  /// No contact of this chunk fails before its motion has changed by so much, m. Chunks may be told
+  /// from several threads; call `count` afterwards.
+  void tell(std::size_t chunk, double margin) {
+    sure_until_[chunk] = distance_ + (margin - rounding_);
+  }
+  /// Takes up what was told.
+  void count() {
+    first_end_ = std::numeric_limits<double>::max();
+    for (const double end : sure_until_) first_end_ = end < first_end_ ? end : first_end_;
+  }
+
+ private:
+  static constexpr double lowest = std::numeric_limits<double>::lowest();
+
+  std::vector<double> sure_until_;  // distances
+  double rounding_;
+  double distance_ = 0, first_end_ = lowest;
+  std::vector<std::size_t> due_;
+};
+
+}  // namespace hfdem
