@@ -271,7 +271,7 @@ class Simulator {
       breaks_.push_back({time_, contact, mode, injection_pressure()});
       network_.open(contact);
     };
-    if constexpr ((hears_mechanical_steps<Observers, Simulator> || ...))
+    if ((wants_mechanical_steps(observers, *this) || ...))
       assembly_.find_forces(threads_, note);
     else
       assembly_.break_bonds(threads_, note);

@@ -42,18 +42,26 @@ void tell_bond_break(Observer& observer, const Sim& sim, const BondBreak& broken
   if constexpr (requires { observer.bond_break(sim, broken); }) observer.bond_break(sim, broken);
 }
 
-/// An observer that asks for every mechanical step.
+/// Whether an observer wants to hear of the next mechanical steps: it has a member
+/// `mechanical_step`, and no member `wants_mechanical_steps()` that answers false. Steps that nobody
+/// hears of are faster.
 template <class Observer, class Sim>
-concept hears_mechanical_steps = requires(Observer& observer, const Sim& sim) {
-  observer.mechanical_step(sim);
-};
+bool wants_mechanical_steps([[maybe_unused]] Observer& observer, [[maybe_unused]] const Sim& sim) {
+  if constexpr (!requires { observer.mechanical_step(sim); })
+    return false;
+  else if constexpr (requires { observer.wants_mechanical_steps(); })
+    return observer.wants_mechanical_steps();
+  else
+    return true;
+}
 
 /// In a mechanical step, once its forces and loads are known and before anything moves: calls
-/// `observer.mechanical_step(sim)` where it exists. Displacements and forces are those of the same
-/// instant, velocities those of half a step before.
+/// `observer.mechanical_step(sim)` if it wants to hear of it. Displacements and forces are those of
+/// the same instant, velocities those of half a step before.
 template <class Observer, class Sim>
 void tell_mechanical_step(Observer& observer, const Sim& sim) {
-  if constexpr (hears_mechanical_steps<Observer, Sim>) observer.mechanical_step(sim);
+  if constexpr (requires { observer.mechanical_step(sim); })
+    if (wants_mechanical_steps(observer, sim)) observer.mechanical_step(sim);
 }
 
 }  // namespace hfdem

@@ -75,14 +75,26 @@ class ScatteredParallelBond : public LinearParallelBond {
   /// fails when one of mean strength would under half the forces.
   template <class T>
   Failure<T> failure(const Stiffness<T>& k, const Response<T>& r) const noexcept {
-    Response<T> as_of_mean = r;
-    as_of_mean.bond_normal = r.bond_normal * k.weakness;
-    as_of_mean.bond_shear = r.bond_shear * k.weakness;
-    as_of_mean.bond_moment = r.bond_moment * k.weakness;
-    return LinearParallelBond::failure(k, as_of_mean);
+    return LinearParallelBond::failure(k, as_of_mean(k, r));
+  }
+
+  /// And it may move twice as far.
+  template <class T>
+  T margin(const Stiffness<T>& k, const Response<T>& r) const noexcept {
+    return LinearParallelBond::margin(k, as_of_mean(k, r)) / k.weakness;
   }
 
  private:
+  /// What brings a bond of mean strength as near to failing.
+  template <class T>
+  static Response<T> as_of_mean(const Stiffness<T>& k, const Response<T>& r) noexcept {
+    Response<T> scaled = r;
+    scaled.bond_normal = r.bond_normal * k.weakness;
+    scaled.bond_shear = r.bond_shear * k.weakness;
+    scaled.bond_moment = r.bond_moment * k.weakness;
+    return scaled;
+  }
+
   Params scatter_;
 };
 
