@@ -4,7 +4,7 @@
 /// the last bit and takes the two short cuts that a special case allows: it leaves out the return
 /// mapping where nothing slips, and multiplies the constants beforehand where that rounds nothing.
 /// Discs gather their rows in the order of the contacts; nothing is broken and there are no
-/// platens.
+/// platens. Contacts come first, then discs.
 #pragma once
 
 #include <algorithm>
@@ -127,8 +127,15 @@ struct ContactsByHand {
 };
 
 struct DiscsByHand {
-  std::vector<std::uint32_t> entries;  // six of each disc: row + 1 or 0, the sign in the last bit
-  std::vector<std::uint32_t> more, more_from;  // of discs with more contacts
+  static Bits flip(unsigned first) {
+    constexpr long long minus = std::numeric_limits<long long>::min();
+    return first ? Bits{minus, minus, minus, 0} : Bits{0, 0, 0, 0};
+  }
+
+  std::vector<std::uint32_t> entries;          // six of each disc: row + 1 or 0, times four
+  std::vector<std::uint8_t> signs;             // of these, a bit each; the last one: there are more
+  std::vector<std::uint32_t> more, more_from;  // of discs with more contacts, their sign in bit 0
+  Bits flips[64][6];                           // what each pattern of signs does
   std::vector<Four> displacement, velocity;
   std::vector<double> load, translation, rotation;  // load: x, y; time step over mass and inertia
   double dt, damping;
@@ -151,25 +158,36 @@ struct DiscsByHand {
       translation[i] = dt / discs.mass[i];
       rotation[i] = dt / discs.inertia(i);
       more_from.push_back(static_cast<std::uint32_t>(more.size()));
-      for (std::size_t k = 0; k < std::max<std::size_t>(6, rows[i].size()); ++k)
-        (k < 6 ? entries : more).push_back(k < rows[i].size() ? rows[i][k] : 0);
+      unsigned pattern = rows[i].size() > 6 ? 128 : 0;
+      for (std::size_t k = 0; k < 6; ++k) {
+        const std::uint32_t entry = k < rows[i].size() ? rows[i][k] : 0;
+        entries.push_back(4 * (entry >> 1));
+        pattern |= (entry & 1) << k;
+      }
+      signs.push_back(static_cast<std::uint8_t>(pattern));
+      for (std::size_t k = 6; k < rows[i].size(); ++k) more.push_back(rows[i][k]);
     }
+    for (unsigned pattern = 0; pattern < 64; ++pattern)
+      for (unsigned k = 0; k < 6; ++k) flips[pattern][k] = flip(pattern >> k & 1);
     more_from.push_back(static_cast<std::uint32_t>(more.size()));
   }
 
   /// Moves every disc; the square of the largest resultant.
   /// @param row a row of zeros, then those of the contacts
   double step(const Four* row) {
-    constexpr long long minus = std::numeric_limits<long long>::min(), magnitude = ~minus;
-    const Bits flip[2] = {{0, 0, 0, 0}, {minus, minus, minus, 0}};
+    constexpr long long magnitude = std::numeric_limits<long long>::max();
     const Four zero = {}, one = zero + 1.0;
+    const double* rows = reinterpret_cast<const double*>(row);
     Four largest = {};
     for (std::size_t i = 0; i + 1 < more_from.size(); ++i) {
       Four sum = {load[2 * i], load[2 * i + 1], 0, 0};
-      for (std::size_t e = 6 * i; e < 6 * i + 6; ++e)
-        sum += (Four)((Bits)row[entries[e] >> 1] ^ flip[entries[e] & 1]);
-      for (std::uint32_t e = more_from[i]; e < more_from[i + 1]; ++e)
-        sum += (Four)((Bits)row[more[e] >> 1] ^ flip[more[e] & 1]);
+      const std::uint32_t* e = &entries[6 * i];
+      const Bits* f = flips[signs[i] & 63];
+      for (unsigned k = 0; k < 6; ++k)
+        sum += (Four)(*reinterpret_cast<const Bits*>(rows + e[k]) ^ f[k]);
+      if (signs[i] >= 128)
+        for (std::uint32_t m = more_from[i]; m < more_from[i + 1]; ++m)
+          sum += (Four)((Bits)row[more[m] >> 1] ^ flip(more[m] & 1));
       const Four square = sum * sum;
       const Four both = square + __builtin_shufflevector(square, square, 1, 0, 3, 2);
       largest = largest > both ? largest : both;

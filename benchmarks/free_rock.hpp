@@ -25,19 +25,17 @@ class FreeRock {
   std::size_t discs() const { return body_.discs().size(); }
   std::size_t contacts() const { return body_.contacts().size(); }
 
-  /// Bytes that one step has to read and to write, each once.
+  /// Bytes that one step has to read or to write, each counted once for either.
   double traffic() const {
     using namespace hfdem;
     constexpr double contact = sizeof(Pair) + sizeof(Frame<double>) +
                                sizeof(typename Law::template Stiffness<double>) +
-                               sizeof(typename Law::template Memory<double>) + 2 * sizeof(Pack);
-    constexpr double entries = 2 * sizeof(Index);  // which rows act on its discs
-    // List of rows; load; time step over mass and inertia; displacement, which the contacts read,
-    // too; velocity.
-    constexpr double disc =
-        2 * sizeof(Index) + sizeof(Vec2) + 2 * sizeof(double) + 3 * sizeof(Pack) + 2 * sizeof(Pack);
-    return static_cast<double>(contacts()) * (contact + entries) +
-           static_cast<double>(discs()) * disc;
+                               sizeof(typename Law::template Memory<double>) + sizeof(Pack);
+    // Which six rows act on it, and their signs; load; time step over mass and inertia;
+    // displacement and velocity, which change.
+    constexpr double disc = 6 * sizeof(Index) + 1 + sizeof(Vec2) + 2 * sizeof(double) +
+                            2 * (sizeof(Pack) + sizeof(Pack));
+    return static_cast<double>(contacts()) * contact + static_cast<double>(discs()) * disc;
   }
 
  private:

@@ -23,6 +23,7 @@
 #include "by_hand.hpp"
 #include "free_rock.hpp"
 #include "side_by_side.hpp"
+#include "support/polite_threads.hpp"
 #include "tiled_specimens.hpp"
 #include "triad.hpp"
 
@@ -80,6 +81,7 @@ int main(int argc, char** argv) {
   app.add_option("--discs", sizes, "how many discs the specimens have");
   app.add_option("--rounds", rounds, "how often everything is timed");
   CLI11_PARSE(app, argc, argv);
+  hfdem::support::let_waiting_threads_sleep(2, argv);
   std::printf(
       "| specimen | discs | contacts | ns per contact-step | on 2 threads "
       "| 1e6 particle-steps/s | on 2 threads | gain of 2 threads | by hand ns | over by hand "

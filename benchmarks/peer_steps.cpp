@@ -16,6 +16,7 @@
 
 #include "free_rock.hpp"
 #include "side_by_side.hpp"
+#include "support/polite_threads.hpp"
 #include "tiled_specimens.hpp"
 
 int main(int argc, char** argv) {
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
   app.add_option("--steps", steps, "mechanical steps that are timed");
   app.add_option("--threads", threads, "number of threads");
   CLI11_PARSE(app, argc, argv);
+  hfdem::support::let_waiting_threads_sleep(threads, argv);
   if (!made.empty()) {
     hfdem::save_specimen(made, random_rock(discs));
     return 0;

@@ -17,6 +17,7 @@
 
 #include "free_rock.hpp"
 #include "side_by_side.hpp"
+#include "support/polite_threads.hpp"
 #include "tiled_specimens.hpp"
 
 namespace {
@@ -58,6 +59,7 @@ int main(int argc, char** argv) {
   app.add_option("--discs", sizes, "how many discs the rocks have");
   app.add_option("--rounds", rounds, "how often everything is timed");
   CLI11_PARSE(app, argc, argv);
+  hfdem::support::let_waiting_threads_sleep(2, argv);
   Rock paper(random_rock(17511));
   paper.steps(100, 1);
   std::printf(

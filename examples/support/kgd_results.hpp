@@ -119,10 +119,11 @@ class KgdResults {
 
   void see_pressure(double pressure) { peak_pressure_ = std::fmax(peak_pressure_, pressure); }
 
-  static measure::ElasticModuli moduli(const Sim& sim) {
+  measure::ElasticModuli moduli(const Sim& sim) const {
     try {
       return measure::elastic_moduli<typename Sim::ContactPolicy, typename Sim::NeighbourPolicy>(
-          sim.specimen(), sim.params().contact, sim.params().in_situ, sim.params().mechanics);
+          sim.specimen(), sim.params().contact, sim.params().in_situ, sim.params().mechanics,
+          manifest_.threads);
     } catch (const RunStopped&) {
       return {NAN, NAN};  // stresses that break the intact specimen: no elastic answer
     }

@@ -97,7 +97,7 @@ class RandomToughnessStudy {
     const Specimen specimen = random_packing(packing, threads_);
     show(0.05, "moduli");
     const auto moduli = measure::elastic_moduli<LinearParallelBond, KdTree>(
-        specimen, rock.contact, rock.in_situ, config_.mechanics);
+        specimen, rock.contact, rock.in_situ, config_.mechanics, threads_);
     SeedReadings readings{.seed = seed, .discs = specimen.size(), .moduli = moduli};
     const std::vector<double> pressures = config_.slits.net_pressures();
     for (const double length : config_.slits.lengths()) {

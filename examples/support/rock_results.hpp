@@ -151,12 +151,12 @@ class RockResults {
 
  private:
   /// Of the rock between its natural fractures.
-  static measure::ElasticModuli moduli(const Sim& sim) {
+  measure::ElasticModuli moduli(const Sim& sim) const {
     Specimen rock = sim.specimen();
     rock.joints = {};
     try {
       return measure::elastic_moduli<typename Sim::ContactPolicy, typename Sim::NeighbourPolicy>(
-          rock, sim.params().contact, {0, 0}, sim.params().mechanics);
+          rock, sim.params().contact, {0, 0}, sim.params().mechanics, manifest_.threads);
     } catch (const RunStopped&) {
       return {NAN, NAN};
     }
