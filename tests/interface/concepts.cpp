@@ -6,6 +6,7 @@
 #include <hfdem/contact/incremental_parallel_bond.hpp>
 #include <hfdem/contact/jointed.hpp>
 #include <hfdem/contact/linear_parallel_bond.hpp>
+#include <hfdem/contact/scattered_parallel_bond.hpp>
 #include <hfdem/contact/smooth_joint.hpp>
 #include <hfdem/contact/smooth_platen.hpp>
 #include <hfdem/contact/unbreakable.hpp>
@@ -115,6 +116,28 @@ static_assert(StoresEnergy<SmoothPlaten>, "books of energy run over platens too"
 static_assert(ContactLaw<Law> && !StoresEnergy<Law>, "no simulator needs the energy");
 static_assert(StoresEnergy<LawWithEnergy> && !StoresEnergy<LawWithThrowingEnergy>);
 static_assert(!StoresEnergy<Unbreakable<Law>>, "it stores what its law stores");
+
+struct OtherStrength : LinearParallelBond {
+  using LinearParallelBond::LinearParallelBond;
+  template <class T>
+  Failure<T> failure(const Stiffness<T>& k, const Response<T>& r) const noexcept {
+    return {r.bond_normal<-1e5 * k.bond_radius, r.bond_shear> 1e5 * k.bond_radius};
+  }
+};
+struct OtherForces : LinearParallelBond {
+  using LinearParallelBond::LinearParallelBond;
+  template <class T>
+  Response<T> respond(const Stiffness<T>& k, const Memory<T>& m,
+                      const Motion<T>& u) const noexcept {
+    return LinearParallelBond::respond(k, m, u);
+  }
+};
+static_assert(ForeseesFailure<LinearParallelBond> && ForeseesFailure<ScatteredParallelBond>);
+static_assert(ContactLaw<Law> && !ForeseesFailure<Law>, "no simulator needs the margin");
+static_assert(ContactLaw<OtherStrength> && !ForeseesFailure<OtherStrength>,
+              "the margin of another strength is not inherited");
+static_assert(ContactLaw<OtherForces> && !ForeseesFailure<OtherForces>,
+              "nor is that of other forces");
 
 // ---- joint law --------------------------------------------------------------------------------
 

@@ -40,6 +40,14 @@ MUTATIONS = [
     ("moment in the tensile stress", BOND, "moment_factor_(3 * p.", "moment_factor_(3.15 * p.", "laws/bond_strength"),
     ("cohesion", BOND, "cohesion_(2 * p.cohesion)", "cohesion_(2.1 * p.cohesion)", "laws/bond_strength"),
     ("friction angle", BOND, "p.friction_angle * std", "1.05 * p.friction_angle * std", "laws/bond_strength"),
+    ("margin in tension", BOND, "min(to_tension / k.bond_radius,", "min(1.05 * to_tension / k.bond_radius,", "laws/bond_margin"),
+    ("margin in shear", BOND, "to_shear * (1 / std", "to_shear * (1.05 / std", "laws/bond_margin"),
+    ("margin of a weak bond", "contact/scattered_parallel_bond.hpp", ") / k.weakness;", ");", "laws/bond_margin"),
+    ("motion in the margin's book", "mechanics/contact_range.hpp", "foresight_.moved(at_most)", "foresight_.moved(0 * at_most)", "loops/sweep"),
+    ("margins after discs were put elsewhere", "mechanics/contact_range.hpp", "{ foresight_.forget(); }", "{}", "loops/sweep"),
+    ("fastest disc", "mechanics/motion.hpp", "dt_ * max(fastest[0], fastest[1])", "0.95 * dt_ * max(fastest[0], fastest[1])", "loops/sweep"),
+    ("contacts between the parts of two threads", "mechanics/sweep.hpp", "if (last_in_block_[b] >= part.end)", "if (last_in_block_[b] > part.end + 300)", "loops/sweep"),
+    ("contacts that a disc waits for", "mechanics/sweep.hpp", "(first_contact_[disc] + Index{pack_width - 1})", "first_contact_[disc]", "loops/sweep"),
     ("bond radius", BOND, "std::fmin(a.radius, b.radius)", "0.5 * (a.radius + b.radius)", "laws/parallel_bond"),
     ("aperture under compression", "aperture/hyperbolic.hpp", "w0 * F0_ / (", "w0 * 1.05 * F0_ / (", "laws/aperture"),
     ("aperture of an open channel", "aperture/hyperbolic.hpp", "w0 + (gap > 0 ? gap : 0)", "w0 + 1.05 * (gap > 0 ? gap : 0)", "laws/aperture"),
@@ -340,7 +348,7 @@ MUTATIONS = [
     ("permeability", "measure/permeability.hpp", "return through * size / width;", "return through;", "leakoff/permeability"),
 ]
 
-FLAGS = "-std=c++20 -O1 -w -ffp-contract=off -I/usr/include/eigen3".split()
+FLAGS = "-std=c++20 -O1 -w -fopenmp -ffp-contract=off -I/usr/include/eigen3".split()
 
 
 def passes(include, test, folder):

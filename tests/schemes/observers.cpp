@@ -124,6 +124,24 @@ TEST_CASE("an observer need not know every event") {
   CHECK(breaks.count == sim.breaks().size());
 }
 
+TEST_CASE("an observer that declines mechanical steps hears of none until it wants to") {
+  struct Later {
+    long heard = 0;
+    bool wants = false;
+    void mechanical_step(const Injected&) { ++heard; }
+    bool wants_mechanical_steps() const { return wants; }
+  };
+  Injected sim = quick_array();
+  Later later;
+  sim.run_until(1e-3, later);
+  CHECK(later.heard == 0);
+  later.wants = true;
+  const long before = sim.mechanical_steps();
+  sim.run_until(2e-3, later);
+  CHECK(later.heard == sim.mechanical_steps() - before);
+  CHECK(later.heard > 0);
+}
+
 TEST_CASE("an observer of mechanical steps sees each once, before anything moves") {
   struct Watch {
     long steps = 0, next = 0;

@@ -1,0 +1,147 @@
+// Contacts and discs in one pass come to the same bits as one after the other, with breaking bonds,
+// joints, slip and any number of threads.
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <hfdem/assembly.hpp>
+#include <hfdem/contact/scattered_parallel_bond.hpp>
+#include <hfdem/neighbours/cell_grid.hpp>
+#include <hfdem/setup/bonding.hpp>
+#include <hfdem/setup/joints.hpp>
+#include <hfdem/setup/random_packing.hpp>
+#include <hfdem/setup/square_array.hpp>
+
+#include <doctest/doctest.h>
+
+#include "laws/near.hpp"
+#include "laws/random.hpp"
+#include "loops/assembly.hpp"
+
+namespace {
+
+using namespace hfdem;
+
+struct Break {
+  Index contact;
+  Mode mode;
+  int step;
+  friend bool operator==(const Break&, const Break&) = default;
+};
+
+/// What a rock has come to.
+struct Outcome {
+  std::vector<std::uint64_t> bits{};
+  std::vector<double> resultants{};
+  std::vector<Break> breaks{};
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+/// Pulls the rock apart while it is pressed from the sides, until some bonds have broken.
+/// @param in_one_pass or contacts first
+template <class Law>
+Outcome torn(const Specimen& specimen, int steps, bool in_one_pass, int threads) {
+  Assembly<Law> rock(specimen, bonded_contacts<CellGrid>(specimen), Law({}), {}, 0.7, 0.97);
+  rock.set_stress({20e6, 1e6});
+  Outcome outcome;
+  int step = 0;
+  const auto note = [&](Index contact, Mode mode) {
+    outcome.breaks.push_back({contact, mode, step});
+  };
+  for (; step < steps; ++step) {
+    if (step == steps / 3)  // the bottom stays, and the top is drawn away
+      for (Index i = 0; i < specimen.size(); ++i) {
+        if (specimen.touches(i, Side::top)) rock.drive(i, {0, 0.5});
+        if (specimen.touches(i, Side::bottom)) rock.drive(i, {0, 0});
+      }
+    in_one_pass ? rock.break_bonds(threads, note) : rock.find_forces(threads, note);
+    outcome.resultants.push_back(rock.move(false, threads));
+  }
+  for (const Pack& row : rock.discs().displacement)
+    for (std::size_t lane = 0; lane < 4; ++lane) outcome.bits.push_back(test::bits(row[lane]));
+  for (const Pack& row : rock.forces().rows())
+    for (std::size_t lane = 0; lane < 4; ++lane) outcome.bits.push_back(test::bits(row[lane]));
+  return outcome;
+}
+
+template <class Law>
+void check_sweep(const Specimen& specimen, int steps, std::size_t least_breaks) {
+  const Outcome apart = torn<Law>(specimen, steps, false, 1);
+  CHECK(apart.breaks.size() >= least_breaks);
+  for (const int threads : {1, 2, 3, 5}) {
+    CAPTURE(threads);
+    CHECK(torn<Law>(specimen, steps, true, threads) == apart);
+  }
+}
+
+Specimen rock_of(int grains) {
+  const double side = std::sqrt(grains / 17511.0);
+  return random_packing({.width = side, .height = side, .grains = grains});
+}
+
+}  // namespace
+
+TEST_CASE("random rock that breaks moves by the same bits in one pass") {
+  check_sweep<LinearParallelBond>(rock_of(6000), 900, 100);
+}
+
+TEST_CASE("bonds of unequal strength break at the same steps in one pass") {
+  check_sweep<ScatteredParallelBond>(rock_of(2000), 600, 20);
+}
+
+TEST_CASE("a square array moves by the same bits in one pass") {
+  check_sweep<LinearParallelBond>(square_array(70, 90, 5e-3), 700, 10);
+}
+
+TEST_CASE("rock with natural fractures moves by the same bits in one pass") {
+  Specimen specimen = rock_of(6000);
+  const double side = specimen.width;
+  insert_joints(specimen, std::vector<NaturalFracture>{
+                              {{0.2 * side, 0.3 * side}, {0.7 * side, 0.6 * side}},
+                              {{0.3 * side, 0.8 * side}, {0.8 * side, 0.75 * side}}});
+  REQUIRE(specimen.joints.pairs.size() > 20);
+  check_sweep<Jointed<LinearParallelBond>>(specimen, 900, 100);
+}
+
+TEST_CASE("a step's account of the fastest disc bounds every motion") {
+  test::Random random(5);
+  const Specimen specimen = test::jittered_discs(20, 15, random);
+  const LinearParallelBond law({});
+  test::Assembly<LinearParallelBond> a(specimen, law);
+  test::shake(a.discs, 1e-6, random);
+  DiscMotion motion(a.discs, 1e-6, 0.7);
+  for (int n = 0; n < 20; ++n) {
+    a.evaluate();
+    const auto before = a.discs.displacement;
+    const DiscMotion::Moved moved = motion.step(a.discs, a.forces, 1);
+    double distance = 0, rotation = 0;
+    for (std::size_t i = 0; i < a.discs.size(); ++i) {
+      const Pack change = a.discs.displacement[i] - before[i];
+      distance = std::max({distance, std::abs(change[0]), std::abs(change[1])});
+      rotation = std::max(rotation, std::abs(change[2]));
+    }
+    CHECK(moved.distance / distance == doctest::Approx(1).epsilon(1e-6));
+    CHECK(moved.rotation / rotation == doctest::Approx(1).epsilon(1e-6));
+  }
+}
+
+TEST_CASE(
+    "what is foreseen ends when the motion has used it up, and when discs are put elsewhere") {
+  const Specimen specimen = square_array(20, 20, 5e-3);
+  const LinearParallelBond law({});
+  const auto contacts = bonded_contacts<CellGrid>(specimen);
+  const std::vector bonds(contacts.size(), law.stiffness({5e-3}, {5e-3}));
+  for (const double used : {0.99, 1.01}) {
+    CAPTURE(used);
+    ContactRange<LinearParallelBond> range(law, 0, contacts, bonds);
+    std::vector<Pack> place(specimen.size() + 4, Pack{});
+    CHECK(range.all_hold(place, 1));
+    const double margin = 8e6 * 10e-3 / 17e9;  // in tension, from rest: strength L / E_b
+    range.moved(used * margin);
+    for (std::size_t i = 0; i < specimen.size(); ++i)  // pulled apart, so that all bonds fail
+      place[i] = Pack{0.002 * specimen.centre[i].x, 0, 0, 0};
+    CHECK(range.all_hold(place, 1) == (used < 1));
+    range.displaced();
+    CHECK_FALSE(range.all_hold(place, 1));
+  }
+}
