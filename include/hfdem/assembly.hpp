@@ -67,6 +67,7 @@ class Assembly {
   /// `note(contact, mode)` for each in the order of the contacts.
   template <class Note>
   void find_forces(int threads, Note&& note) {
+    to_sweep_ = false;
     rock_.evaluate(discs_.displacement, forces_.rows(), threads);
     find_other_forces(threads);
     rock_.break_bonds(discs_.displacement, forces_.rows(), note);
@@ -80,8 +81,12 @@ class Assembly {
     if constexpr (ForeseesFailure<RockLawOf<Contact>>) {
       if (rock_.all_hold(discs_.displacement, threads)) {
         find_other_forces(threads);
-        break_joints(note);
         to_sweep_ = true;
+        break_joints([&](Index contact, Mode mode) {
+          to_sweep_ = false;  // whoever stops a run where something breaks finds all forces
+          note(contact, mode);
+        });
+        if (!to_sweep_) rock_.evaluate(discs_.displacement, forces_.rows(), threads);
         return;
       }
     }

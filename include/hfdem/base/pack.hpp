@@ -34,14 +34,40 @@ inline constexpr std::size_t pack_width = 4;  ///< doubles in a pack
 template <class T>
 using MaskOf = decltype(T{} < T{});
 
+/// Two doubles that move together.
+using PackHalf = double __attribute__((vector_size(16)));
+
+namespace detail {
+/// A pack as two registers of processors without AVX.
+struct Halves {
+  PackHalf low, high;
+};
+
+/// f(a, b) on whatever the processor has registers for: without AVX compilers choose between four
+/// doubles one by one, but between two at once.
+template <class F>
+[[gnu::always_inline]] inline Pack with_registers(const Pack& a, const Pack& b, F&& f) {
+#ifdef __AVX__
+  return f(a, b);
+#else
+  const auto x = std::bit_cast<Halves>(a), y = std::bit_cast<Halves>(b);
+  return std::bit_cast<Pack>(Halves{f(x.low, y.low), f(x.high, y.high)});
+#endif
+}
+}  // namespace detail
+
 /// @name For one value and for four
 /// @{
 /// Lane by lane.
 inline double max(double a, double b) { return a > b ? a : b; }
 inline double min(double a, double b) { return a < b ? a : b; }
 inline double abs(double a) { return std::fabs(a); }
-inline Pack max(const Pack& a, const Pack& b) { return a > b ? a : b; }
-inline Pack min(const Pack& a, const Pack& b) { return a < b ? a : b; }
+inline Pack max(const Pack& a, const Pack& b) {
+  return detail::with_registers(a, b, [](const auto& x, const auto& y) { return x > y ? x : y; });
+}
+inline Pack min(const Pack& a, const Pack& b) {
+  return detail::with_registers(a, b, [](const auto& x, const auto& y) { return x < y ? x : y; });
+}
 inline Pack abs(const Pack& a) {
   constexpr long long magnitude = 0x7fff'ffff'ffff'ffff;
   return std::bit_cast<Pack>(std::bit_cast<PackMask>(a) &
@@ -56,18 +82,26 @@ T clamp(const T& value, const T& low, const T& high) {
 /// Minus one, zero or one. Zero stays zero: a velocity of exactly zero must not be damped to one
 /// side, or rounding would decide which wing of a crack runs.
 inline Pack sign(const Pack& a) {
-  const Pack zero{}, one = zero + 1.0;
-  return (a > zero ? one : zero) - (a < zero ? one : zero);
+  return detail::with_registers(a, Pack{}, [](const auto& x, const auto& zero) {
+    const auto one = zero + 1.0;
+    return (x > zero ? one : zero) - (x < zero ? one : zero);
+  });
 }
 
 /// Whether a comparison holds in any lane.
 inline bool any(bool mask) { return mask; }
 /// Whether a comparison holds in any lane.
 inline bool any(const PackMask& mask) {
+  using Bits [[maybe_unused]] = long long __attribute__((vector_size(32)));
+  using Half [[maybe_unused]] = long long __attribute__((vector_size(16)));
+  using Bytes [[maybe_unused]] = char __attribute__((vector_size(16)));
 #ifdef __AVX__
-  using Bits = long long __attribute__((vector_size(32)));
   const auto bits = std::bit_cast<Bits>(mask);
   return __builtin_ia32_ptestz256(bits, bits) == 0;
+#elif defined(__SSE2__)
+  const auto [low, high] = std::bit_cast<std::array<Half, 2>>(mask);
+  const auto is_zero = std::bit_cast<Bytes>(low | high) == Bytes{};
+  return __builtin_ia32_pmovmskb128(std::bit_cast<Bytes>(is_zero)) != 0xffff;
 #else
   return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 #endif
@@ -76,6 +110,7 @@ inline bool any(const PackMask& mask) {
 
 /// Turns four rows into four columns (and back).
 inline void transpose(Pack& a, Pack& b, Pack& c, Pack& d) {
+#ifdef __AVX__
   const Pack ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
   const Pack ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
   const Pack cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
@@ -84,6 +119,23 @@ inline void transpose(Pack& a, Pack& b, Pack& c, Pack& d) {
   b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
   c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
   d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+#else
+  const auto [a_low, a_high] = std::bit_cast<detail::Halves>(a);
+  const auto [b_low, b_high] = std::bit_cast<detail::Halves>(b);
+  const auto [c_low, c_high] = std::bit_cast<detail::Halves>(c);
+  const auto [d_low, d_high] = std::bit_cast<detail::Halves>(d);
+  const auto join = [](const PackHalf& low, const PackHalf& high) {
+    return std::bit_cast<Pack>(detail::Halves{low, high});
+  };
+  a = join(__builtin_shufflevector(a_low, b_low, 0, 2),
+           __builtin_shufflevector(c_low, d_low, 0, 2));
+  b = join(__builtin_shufflevector(a_low, b_low, 1, 3),
+           __builtin_shufflevector(c_low, d_low, 1, 3));
+  c = join(__builtin_shufflevector(a_high, b_high, 0, 2),
+           __builtin_shufflevector(c_high, d_high, 0, 2));
+  d = join(__builtin_shufflevector(a_high, b_high, 1, 3),
+           __builtin_shufflevector(c_high, d_high, 1, 3));
+#endif
 }
 
 /// A record whose members are all of its value type.

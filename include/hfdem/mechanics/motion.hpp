@@ -129,14 +129,13 @@ class DiscMotion {
   };
   static constexpr std::size_t grain = 256;
 
-  using Two = double __attribute__((vector_size(16)));
   /// (a, b, 0, 0)
   static Pack widened(const Vec2& two) {
-    return __builtin_shufflevector(std::bit_cast<Two>(two), Two{}, 0, 1, 2, 3);
+    return __builtin_shufflevector(std::bit_cast<PackHalf>(two), PackHalf{}, 0, 1, 2, 3);
   }
   /// (a, a, b, b)
   static Pack doubled(const DtOverInertia& two) {
-    const Two both = std::bit_cast<Two>(two);
+    const PackHalf both = std::bit_cast<PackHalf>(two);
     return __builtin_shufflevector(both, both, 0, 0, 1, 1);
   }
 

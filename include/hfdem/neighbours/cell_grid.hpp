@@ -25,7 +25,12 @@ class CellGrid {
     for (Index i = 0; i < specimen.size(); ++i) {
       const std::size_t first = pairs_.size();
       for_each_around(cell[i], [&](Index j) {
-        if (i < j && specimen.gap({i, j}) <= reach) pairs_.push_back({i, j});
+        if (i >= j) return;
+        // Most are too far apart by much: seen without a root.
+        const double most = specimen.radius[i] + specimen.radius[j] + reach;
+        const Vec2 between = specimen.centre[j] - specimen.centre[i];
+        if (dot(between, between) > (1 + 1e-9) * most * most) return;
+        if (specimen.gap({i, j}) <= reach) pairs_.push_back({i, j});
       });
       std::sort(pairs_.begin() + static_cast<std::ptrdiff_t>(first), pairs_.end());
     }
