@@ -43,8 +43,8 @@ void tell_bond_break(Observer& observer, const Sim& sim, const BondBreak& broken
 }
 
 /// Whether an observer wants to hear of the next mechanical steps: it has a member
-/// `mechanical_step`, and no member `wants_mechanical_steps()` that answers false. Steps that nobody
-/// hears of are faster.
+/// `mechanical_step`, and no member `wants_mechanical_steps()` that answers false. Steps that
+/// nobody hears of are faster.
 template <class Observer, class Sim>
 bool wants_mechanical_steps([[maybe_unused]] Observer& observer, [[maybe_unused]] const Sim& sim) {
   if constexpr (!requires { observer.mechanical_step(sim); })
