@@ -59,7 +59,7 @@ class Sweep {
       const Part part = parts_[k];
       const ContactBlocks<Law> contacts = all;
       DiscMotion::Tally tally;
-      const Index* skipped = part.between;
+      const Index* skipped = &between_[part.first_between];
       Index block = part.first_block;
       for (std::size_t i = part.begin; i < part.end; i += group) {
         const std::size_t end = std::min(i + group, part.end);
@@ -87,7 +87,7 @@ class Sweep {
   struct Part {
     std::size_t begin = 0, end = 0;        // discs
     Index first_block = 0, end_block = 0;  // between them alone, but for the blocks `between`
-    const Index* between = nullptr;        // the first of these
+    std::size_t first_between = 0;         // place of the first of these
   };
 
   /// How many blocks hold the contacts whose first disc is below `disc`.
@@ -105,21 +105,19 @@ class Sweep {
     parts_.assign(count, {});
     tallies_.assign(count, {});
     between_.clear();
-    std::vector<std::size_t> first_between;
     for (std::size_t k = 0; k < count; ++k) {
       Part& part = parts_[k];
       part.begin = begin(k);
       part.end = begin(k + 1);
       part.first_block = first_contact_[part.begin] / Index{pack_width};
       part.end_block = blocks_before(part.end);
-      first_between.push_back(between_.size());
+      part.first_between = between_.size();
       // A block that begins in another part belongs to that part's list.
       if (first_contact_[part.begin] % pack_width != 0) ++part.first_block;
       for (Index b = part.first_block; b < part.end_block; ++b)
         if (last_in_block_[b] >= part.end) between_.push_back(b);
     }
     between_.push_back(std::numeric_limits<Index>::max());
-    for (std::size_t k = 0; k < count; ++k) parts_[k].between = &between_[first_between[k]];
   }
 
   std::size_t discs_ = 0;
