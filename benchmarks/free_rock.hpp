@@ -17,7 +17,7 @@ class FreeRock {
   }
   void steps(int count, int threads) {
     for (int n = 0; n < count; ++n) {
-      body_.break_bonds(threads, [](hfdem::Index, hfdem::Mode) {});
+      body_.begin_step(threads, [](hfdem::Index, hfdem::Mode) {});
       body_.move(false, threads);
     }
   }

@@ -49,7 +49,9 @@ class KgdResults {
     watch_ = Stopwatch();
   }
 
-  void mechanical_step(const Sim& sim) { energy_->mechanical_step(sim); }
+  void mechanical_step(const Sim& sim) {
+    if (energy_) energy_->mechanical_step(sim);
+  }
   /// Only the books of energy do.
   bool wants_mechanical_steps() const { return energy_.has_value(); }
 

@@ -34,7 +34,7 @@ template <ContactLaw Contact>
 class Assembly {
  public:
   /// @param specimen whose discs it takes, as they are when they are bonded, and whose joints
-  /// @param bonded contacts between discs
+  /// @param bonded contacts between discs, sorted by bodies, the first with the lower number
   /// @param law of these contacts
   /// @param boundary what holds the discs of the rim
   /// @param damping local damping coefficient
@@ -74,10 +74,11 @@ class Assembly {
     break_joints(note);
   }
 
-  /// The same for a step that `move` follows at once: where no bond of the rock can break, its
-  /// forces are left for `move` to find on the way, which is faster; the result is the same.
+  /// The same for a step whose forces nobody reads and whose contacts nobody changes before `move`:
+  /// where no bond of the rock can break, its forces are left for `move` to find on the way, which
+  /// is faster; the result is the same.
   template <class Note>
-  void break_bonds(int threads, Note&& note) {
+  void begin_step(int threads, Note&& note) {
     if constexpr (ForeseesFailure<RockLawOf<Contact>>) {
       if (rock_.all_hold(discs_.displacement, threads)) {
         find_other_forces(threads);
@@ -118,7 +119,8 @@ class Assembly {
     const DiscMotion::Moved moved = std::exchange(to_sweep_, false)
                                         ? sweep_.step(rock_, discs_, forces_, motion_, threads)
                                         : motion_.step(discs_, forces_, threads);
-    // Two discs part by at most twice what each component moves, along and across the contact.
+    // Two discs move by at most twice sqrt(2) components apart, in opening and shear together by
+    // sqrt(2) as much; their arms and their bond's edge turn by two rotations each.
     rock_.moved(4 * (moved.distance + lever_ * moved.rotation));
     if (joints_.size() > joints_.bonded() && ++steps_ % between_meetings == 0) joints_.meet(discs_);
     return moved.resultant;

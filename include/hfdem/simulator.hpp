@@ -64,7 +64,7 @@ class Simulator {
   // ---- verbs ----------------------------------------------------------------------------------
 
   /// Makes one fluid step. An observer's member `mechanical_step(simulator)` is called in each of
-  /// its mechanical steps, before anything moves.
+  /// its mechanical steps that it wants to hear of, before anything moves.
   /// @throws RunStopped when the run cannot go on; everything stays readable
   template <class... Observers>
   FluidStep step(Observers&&... observers) {
@@ -89,7 +89,7 @@ class Simulator {
   /// Steps until `end_time`, s. An observer is told after every fluid step through
   /// `observer(simulator)` or, where it has one, its member `fluid_step(simulator, FluidStep)`;
   /// an answer of false ends the run. A member `bond_break(simulator, BondBreak)` hears of breaks,
-  /// and `mechanical_step(simulator)` of mechanical steps.
+  /// and `mechanical_step(simulator)` of mechanical steps, if it wants to.
   /// @returns whether the end time was reached
   /// @throws RunStopped when the run cannot go on
   template <class... Observers>
@@ -271,16 +271,14 @@ class Simulator {
       breaks_.push_back({time_, contact, mode, injection_pressure()});
       network_.open(contact);
     };
-    if ((wants_mechanical_steps(observers, *this) || ...))
-      assembly_.find_forces(threads_, note);
-    else
-      assembly_.break_bonds(threads_, note);
+    const bool heard = (wants_mechanical_steps(observers, *this) || ...);
+    heard ? assembly_.find_forces(threads_, note) : assembly_.begin_step(threads_, note);
     const std::size_t broken = breaks_.size() - broken_before;
     if (broken > 0 && Pressure::holds_fluid) detail::stop_at_rim(network_, time_);
     const double joined = flood_joints(wet_before);
     for (const Index i : network_.pushed_discs()) push(i);
     carry_fluid();
-    (tell_mechanical_step(observers, *this), ...);
+    if (heard) (tell_mechanical_step(observers, *this), ...);
     const double largest = assembly_.move(settling, threads_);
     detail::stop_unless_finite(largest, time_);
     refresh_widths();

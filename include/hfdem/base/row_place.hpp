@@ -7,7 +7,8 @@
 
 namespace hfdem {
 
-/// A row as processors find it without multiplying: its number times the values in it.
+/// The place of a row of four doubles, counted in doubles: its number times four, where processors
+/// find it without multiplying.
 struct RowPlace {
   /// The place of row `row`.
   static constexpr Index of(Index row) { return row * Index{pack_width}; }

@@ -158,7 +158,7 @@ class LinearParallelBond {
   }
 
   /// How far a contact may still move before its bond can fail, m (see `ForeseesFailure`): both
-  /// criteria are linear in the forces, and these in the motion.
+  /// criteria are linear in the forces, and these in the motion; a moment counts at most in full.
   template <class T>
   T margin(const Stiffness<T>& k, const Response<T>& r) const noexcept {
     const T tension = thrice_moment_factor_ * abs(r.bond_moment) - r.bond_normal * k.bond_radius;

@@ -14,7 +14,7 @@ namespace hfdem::measure {
 /// Settles the intact specimen under `in_situ`, raises the stress along y by a tenth of the larger
 /// one, and compares. What is left unbalanced is 1e-5 of the mean contact force: in random rock
 /// both moduli are right to some 1e-4 then; how contacts slip on the way matters as much.
-/// @param threads for the loops; the result does not depend on it
+/// @param threads for the loops once the specimen has settled; the result does not depend on it
 /// @throws RunStopped if it finds no equilibrium or bonds break on the way
 template <ContactLaw Contact, NeighbourSearch Neighbours>
 ElasticModuli elastic_moduli(const Specimen& specimen, const typename Contact::Params& contact,

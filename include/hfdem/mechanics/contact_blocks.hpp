@@ -43,6 +43,7 @@ struct ContactBlocks {
   }
 
   /// Writes their force rows and what they remember.
+  /// @returns what they answer
   [[gnu::always_inline]] auto evaluate(std::size_t block) const {
     const auto answer = response(block);
     if (differ(memory[block], answer.memory)) memory[block] = answer.memory;

@@ -51,6 +51,12 @@ class ContactRange {
       frame_.set(c, geometry[c].frame);
       stiffness_.set(c, stiffness[c]);
     }
+    // Places that no contact fills look at a disc that the last contact looks at, so that no block
+    // looks at more discs than its contacts do.
+    for (std::size_t c = size_; c < padded_size(); ++c)
+      bodies_[c / pack_width].first[c % pack_width] =
+          bodies_[c / pack_width].second[c % pack_width] =
+              RowPlace::of(geometry.back().bodies.first);
   }
 
   const Law& law() const { return law_; }               ///< with its parameters

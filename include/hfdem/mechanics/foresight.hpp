@@ -3,8 +3,8 @@
 ///
 /// A law with a margin (`ForeseesFailure`) says how far a contact is from failing. Until some
 /// contact can have moved so far, nobody needs to ask, and a step can move discs while forces
-/// elsewhere are not known yet (see sweep.hpp). What is foreseen depends on chances of rounding and
-/// timing in no way: a step that asks in vain has the same result.
+/// elsewhere are not known yet (see sweep.hpp). Results do not depend on what is foreseen: who asks
+/// in vain makes the same step.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,8 @@ class Foresight {
     first_end_ = lowest;
   }
 
-  /// No contact's motion has changed by more than this, m, since the last step.
+  /// No contact's motion has changed by more than this, m, since the last step: opening, shear, and
+  /// rotation times the smaller disc's radius together.
   void moved(double at_most) { distance_ += at_most; }
 
   /// Whether all contacts are sure to hold.
@@ -43,10 +44,10 @@ class Foresight {
 
   /// The chunks that are not sure to hold.
   const std::vector<std::size_t>& unsure() {
-    due_.clear();
+    unsure_.clear();
     for (std::size_t chunk = 0; chunk < sure_until_.size(); ++chunk)
-      if (!(distance_ < sure_until_[chunk])) due_.push_back(chunk);
-    return due_;
+      if (!(distance_ < sure_until_[chunk])) unsure_.push_back(chunk);
+    return unsure_;
   }
 
   /// No contact of this chunk fails before its motion has changed by so much, m. Chunks may be told
@@ -66,7 +67,7 @@ class Foresight {
   std::vector<double> sure_until_;  // distances
   double rounding_;
   double distance_ = 0, first_end_ = lowest;
-  std::vector<std::size_t> due_;
+  std::vector<std::size_t> unsure_;
 };
 
 }  // namespace hfdem

@@ -75,28 +75,27 @@ class DiscMotion {
     Pack *velocities = discs.velocity.data(), *displacement = discs.displacement.data();
     const double dt = dt_, damping = damping_;
     const bool all_count = counted_.empty();
-    Tally sofar = tally;
+    Tally so_far = tally;
     for (std::size_t i = begin; i < end; ++i) {
       const Pack force = forces.total(i) + widened(load[i]);
       const Pack square = force * force;
       if (all_count || counted_[i])
-        sofar.largest =
-            max(sofar.largest, square + __builtin_shufflevector(square, square, 1, 0, 3, 2));
-      sofar.sum += square;
+        so_far.largest =
+            max(so_far.largest, square + __builtin_shufflevector(square, square, 1, 0, 3, 2));
+      so_far.sum += square;
       const Pack pull = with_whole_torque(force), before = velocities[i];
       const Pack damped = pull - local_damping(damping, pull, before);
       const Pack velocity = before + damped * doubled(dt_over_inertia[i]);
       velocities[i] = velocity;
-      sofar.fastest = max(sofar.fastest, abs(velocity));
+      so_far.fastest = max(so_far.fastest, abs(velocity));
       displacement[i] += velocity * dt;
     }
-    tally = sofar;
+    tally = so_far;
   }
 
-  /// What a step came to.
+  /// What a step came to; nothing of it is a finite number if some resultant is not.
   struct Moved {
-    double resultant;           ///< the largest on a disc before damping, N per m; not a finite
-                                ///< number if any resultant is not
+    double resultant;           ///< the largest on a disc before damping, N per m
     double distance, rotation;  ///< no component of a displacement, m, and no rotation, rad, has
                                 ///< changed by more
   };

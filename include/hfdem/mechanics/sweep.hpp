@@ -6,7 +6,8 @@
 /// contacts of the discs up to i are known as first ones, no later contact looks at these discs,
 /// and they can move. Threads take a part of the discs each; the few blocks of contacts between
 /// discs of two parts come first. Every row and every sum is the same, bit for bit, as when all
-/// contacts come before all discs, and does not depend on the parts.
+/// contacts come before all discs (if the compiler fuses no multiplications and additions:
+/// `-ffp-contract=off`), and does not depend on the parts.
 ///
 /// A bond must not break meanwhile: discs would have moved under its force. `Assembly` sweeps only
 /// when all are sure to hold.
@@ -109,11 +110,9 @@ class Sweep {
       Part& part = parts_[k];
       part.begin = begin(k);
       part.end = begin(k + 1);
-      part.first_block = first_contact_[part.begin] / Index{pack_width};
+      part.first_block = blocks_before(part.begin);
       part.end_block = blocks_before(part.end);
       part.first_between = between_.size();
-      // A block that begins in another part belongs to that part's list.
-      if (first_contact_[part.begin] % pack_width != 0) ++part.first_block;
       for (Index b = part.first_block; b < part.end_block; ++b)
         if (last_in_block_[b] >= part.end) between_.push_back(b);
     }
