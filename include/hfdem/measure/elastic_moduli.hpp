@@ -14,6 +14,10 @@ namespace hfdem::measure {
 /// Settles the intact specimen under `in_situ`, raises the stress along y by a tenth of the larger
 /// one, and compares. What is left unbalanced is 1e-5 of the mean contact force: in random rock
 /// both moduli are right to some 1e-4 then; how contacts slip on the way matters as much.
+/// @param specimen that is bonded anew
+/// @param contact parameters of its contacts
+/// @param in_situ stress under which it is measured, Pa
+/// @param mechanics how it is relaxed
 /// @param threads for the loops once the specimen has settled; the result does not depend on it
 /// @throws RunStopped if it finds no equilibrium or bonds break on the way
 template <ContactLaw Contact, NeighbourSearch Neighbours>

@@ -7,7 +7,6 @@
 #include <hfdem/base/pack.hpp>
 #include <hfdem/base/row_place.hpp>
 #include <hfdem/state/contact.hpp>
-#include <hfdem/state/law_concepts.hpp>
 
 namespace hfdem {
 

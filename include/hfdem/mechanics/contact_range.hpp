@@ -87,7 +87,8 @@ class ContactRange {
 
   // ---- the loop ---------------------------------------------------------------------------------
 
-  /// All contacts, four to a block, at these displacements.
+  /// All contacts, four to a block.
+  /// @param displacement of the bodies, m and rad
   /// @param force rows that are written, of all laws
   ContactBlocks<Law> blocks(std::span<const Pack> displacement, std::span<Pack> force) {
     return {law_,
