@@ -8,8 +8,8 @@
 ///
 /// You should see, at 17,511 discs, at most 1.1 times the loop written by hand, two threads at
 /// least 1.7 times as fast as one where both have a core to themselves, and at a million discs at
-/// least 40 % of what memory allows. With 500 discs everything is in the second-level cache: what is
-/// left there is arithmetic.
+/// least 40 % of what memory allows. With 500 discs everything is in the second-level cache: what
+/// is left there is arithmetic.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

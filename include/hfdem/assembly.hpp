@@ -116,9 +116,9 @@ class Assembly {
   /// @returns the largest resultant force on a disc before damping, N per m
   double move(bool settling, int threads) {
     loading_.step(discs_, forces_, settling);
-    const DiscMotion::Moved moved = std::exchange(to_sweep_, false)
-                                        ? sweep_.step(rock_, discs_, forces_, motion_, threads)
-                                        : motion_.step(discs_, forces_, threads);
+    const Moved moved = std::exchange(to_sweep_, false)
+                            ? sweep_.step(rock_, discs_, forces_, motion_, threads)
+                            : motion_.step(discs_, forces_, threads);
     // Two discs move by at most twice sqrt(2) components apart, in opening and shear together by
     // sqrt(2) as much; their arms and their bond's edge turn by two rotations each.
     rock_.moved(4 * (moved.distance + lever_ * moved.rotation));

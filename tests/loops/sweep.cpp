@@ -115,7 +115,7 @@ TEST_CASE("a step's account of the fastest disc bounds every motion") {
   for (int n = 0; n < 20; ++n) {
     a.evaluate();
     const auto before = a.discs.displacement;
-    const DiscMotion::Moved moved = motion.step(a.discs, a.forces, 1);
+    const Moved moved = motion.step(a.discs, a.forces, 1);
     double distance = 0, rotation = 0;
     for (std::size_t i = 0; i < a.discs.size(); ++i) {
       const Pack change = a.discs.displacement[i] - before[i];

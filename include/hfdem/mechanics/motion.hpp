@@ -13,6 +13,7 @@
 #include <hfdem/base/pack.hpp>
 #include <hfdem/base/parallel.hpp>
 #include <hfdem/mechanics/force_rows.hpp>
+#include <hfdem/mechanics/tally.hpp>
 #include <hfdem/state/discs.hpp>
 
 namespace hfdem {
@@ -59,23 +60,16 @@ class DiscMotion {
   /// A disc that from now on keeps its velocity, whatever pulls on it.
   void keep_velocity(Index disc) { dt_over_inertia_[disc] = {0, 0}; }
 
-  /// What moving a range of discs came to.
-  struct Tally {
-    Pack largest{};  ///< of the squares of the resultants, (N per m)^2
-    Pack sum{};      ///< of these squares: a maximum loses what is not a number, a sum keeps it
-    Pack fastest{};  ///< of the components of velocity, m/s and rad/s
-  };
-
   /// Gathers all forces on discs `begin` to `end` - 1 and moves them by one time step.
   [[gnu::always_inline]] void move(std::size_t begin, std::size_t end, Discs& discs,
-                                   const ForceRows& forces, Tally& tally) const {
+                                   const ForceRows& forces, MotionTally& tally) const {
     // Pointers that nothing written here can change.
     const Vec2* load = discs.load.data();
     const DtOverInertia* dt_over_inertia = dt_over_inertia_.data();
     Pack *velocities = discs.velocity.data(), *displacement = discs.displacement.data();
     const double dt = dt_, damping = damping_;
     const bool all_count = counted_.empty();
-    Tally so_far = tally;
+    MotionTally so_far = tally;
     for (std::size_t i = begin; i < end; ++i) {
       const Pack force = forces.total(i) + widened(load[i]);
       const Pack square = force * force;
@@ -93,13 +87,6 @@ class DiscMotion {
     tally = so_far;
   }
 
-  /// What a step came to; nothing of it is a finite number if some resultant is not.
-  struct Moved {
-    double resultant;           ///< the largest on a disc before damping, N per m
-    double distance, rotation;  ///< no component of a displacement, m, and no rotation, rad, has
-                                ///< changed by more
-  };
-
   /// Moves all discs by one time step.
   Moved step(Discs& discs, const ForceRows& forces, int threads) {
     tallies_.assign((discs.size() + grain - 1) / grain, {});
@@ -111,9 +98,9 @@ class DiscMotion {
   }
 
   /// Puts the tallies of all discs together.
-  Moved moved(std::span<const Tally> tallies) const {
+  Moved moved(std::span<const MotionTally> tallies) const {
     Pack largest{}, fastest{};
-    for (const Tally& t : tallies) {
+    for (const MotionTally& t : tallies) {
       const double total = t.sum[0] + t.sum[1] + t.sum[2] + t.sum[3];
       if (!std::isfinite(total)) return {total, total, total};
       largest = max(largest, t.largest);
@@ -141,7 +128,7 @@ class DiscMotion {
   double dt_ = 0, damping_ = 0;
   std::vector<DtOverInertia> dt_over_inertia_;
   std::vector<bool> counted_;  // empty if all are
-  std::vector<Tally> tallies_;
+  std::vector<MotionTally> tallies_;
 };
 
 }  // namespace hfdem

@@ -22,7 +22,7 @@
 #include <hfdem/base/parallel.hpp>
 #include <hfdem/mechanics/contact_range.hpp>
 #include <hfdem/mechanics/force_rows.hpp>
-#include <hfdem/mechanics/motion.hpp>
+#include <hfdem/mechanics/tally.hpp>
 #include <hfdem/state/discs.hpp>
 
 namespace hfdem {
@@ -47,9 +47,14 @@ class Sweep {
 
   /// Finds the forces in all contacts of the rock and moves all discs by one time step. The rows of
   /// other contacts must be there already.
-  template <class Law>
-  DiscMotion::Moved step(ContactRange<Law>& rock, Discs& discs, ForceRows& forces,
-                         const DiscMotion& motion, int threads) {
+  /// @param rock whose bonds all hold
+  /// @param discs that move
+  /// @param forces of all contacts
+  /// @param motion a `DiscMotion`
+  /// @param threads that share the discs; the result does not depend on it
+  template <class Law, class Motion>
+  Moved step(ContactRange<Law>& rock, Discs& discs, ForceRows& forces, const Motion& motion,
+             int threads) {
     share_out(threads);
     const ContactBlocks<Law> all = rock.blocks(discs.displacement, forces.rows());
     for_chunks(between_.size() - 1, 64, threads,
@@ -59,7 +64,7 @@ class Sweep {
     for_parts(parts_.size(), [&](std::size_t k) {
       const Part part = parts_[k];
       const ContactBlocks<Law> contacts = all;
-      DiscMotion::Tally tally;
+      MotionTally tally;
       const Index* skipped = &between_[part.first_between];
       Index block = part.first_block;
       for (std::size_t i = part.begin; i < part.end; i += group) {
@@ -124,7 +129,7 @@ class Sweep {
   std::vector<Index> last_in_block_;  // the last disc that a block of contacts looks at
   std::vector<Part> parts_;
   std::vector<Index> between_;  // blocks that look at discs of several parts; an end no block has
-  std::vector<DiscMotion::Tally> tallies_;
+  std::vector<MotionTally> tallies_;
 };
 
 }  // namespace hfdem
