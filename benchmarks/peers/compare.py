@@ -3,8 +3,8 @@
     python3 benchmarks/peers/compare.py build/release/benchmarks [--rounds 5] [--threads 1]
 
 Needs Debian's package yade. LAMMPS's lighter model (harmonic bonds and granular contacts with
-history) runs beside them if `lmp` is installed. You should see hfdem need at most 1/80 of the time
-of Yade's law with bond moments.
+history) runs beside them if `lmp` is installed. You should see hfdem need about 1/50 of the time
+of Yade's law with bond moments (docs/performance.md).
 """
 
 import argparse
