@@ -9,6 +9,8 @@
 
 #include <doctest/doctest.h>
 
+#include "near.hpp"
+
 using namespace hfdem;
 using support::GrowthPrediction;
 using support::PlateInjection;
@@ -18,9 +20,7 @@ namespace {
 const analytic::RockFracture rock{
     .E_prime = 31.7e9, .poisson_ratio = 0.2, .K_IC = 2.16e6, .closing_excess = 0.8e6};
 
-doctest::Approx near(double value, double tolerance) {
-  return doctest::Approx(value).scale(0).epsilon(tolerance);
-}
+using test::near;
 
 }  // namespace
 

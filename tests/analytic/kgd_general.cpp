@@ -5,6 +5,7 @@
 #include <hfdem/analytic/kgd_general.hpp>
 
 #include "analytic/kgd_truth.hpp"
+#include "near.hpp"
 
 using namespace hfdem::analytic;
 using hfdem::InvalidParameter;

@@ -2,6 +2,7 @@
 #include <hfdem/analytic/kgd_regime.hpp>
 
 #include "analytic/kgd_truth.hpp"
+#include "near.hpp"
 
 using namespace hfdem::analytic;
 using test::near;

@@ -10,6 +10,7 @@
 #include <hfdem/analytic/kgd_regions.hpp>
 
 #include "analytic/kgd_truth.hpp"
+#include "near.hpp"
 
 using namespace hfdem::analytic;
 using Vertex = KgdRegime;

@@ -10,7 +10,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 
 namespace test {
 

@@ -1,6 +1,7 @@
 // The four vertices of the KGD fracture: published and converged coefficients, and the laws that
 // bind length, width and pressure to each other.
 #include "analytic/kgd_truth.hpp"
+#include "near.hpp"
 
 using namespace hfdem::analytic;
 using test::near;

@@ -2,7 +2,7 @@
 #include <hfdem/analytic/kgd.hpp>
 #include <hfdem/analytic/pressurised_crack.hpp>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 
 using namespace hfdem::analytic;
 using test::near;

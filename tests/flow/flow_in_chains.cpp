@@ -11,7 +11,7 @@
 #include <doctest/doctest.h>
 
 #include "flow/chain.hpp"
-#include "laws/near.hpp"
+#include "near.hpp"
 
 namespace {
 

@@ -13,9 +13,9 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/random.hpp"
 #include "loops/assembly.hpp"
+#include "near.hpp"
 #include "schemes/small_array.hpp"
 
 namespace {

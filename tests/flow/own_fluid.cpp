@@ -12,7 +12,7 @@
 
 #include "flow/chain.hpp"
 #include "interface/least/fluid_law.hpp"
-#include "laws/near.hpp"
+#include "near.hpp"
 #include "schemes/small_array.hpp"
 
 namespace {

@@ -10,8 +10,8 @@
 #include <doctest/doctest.h>
 
 #include "flow/chain.hpp"
-#include "laws/near.hpp"
 #include "loops/jointed_rock.hpp"
+#include "near.hpp"
 #include "schemes/small_array.hpp"
 
 namespace {

@@ -9,6 +9,7 @@
 
 #include "laws/random.hpp"
 #include "laws/sample_rock.hpp"
+#include "near.hpp"
 
 namespace {
 
@@ -77,7 +78,7 @@ TEST_CASE("a bond of another strength has another margin") {
   const double mean = margin(law, k, {});
   for (const double weakness : {0.5, 1.0, 1.7}) {
     k.weakness = weakness;
-    CHECK(margin(law, k, {}) == doctest::Approx(mean / weakness).epsilon(1e-12));
+    CHECK(margin(law, k, {}) == test::near(mean / weakness, 1e-12));
     check_margin(law, k);
   }
 }
@@ -87,17 +88,16 @@ TEST_CASE("the margins of single strengths are their closed forms") {
   const auto k = law.stiffness(test::small_disc, test::large_disc);
   namespace sample = test::sample;
   const double in_tension = test::sample_rock.tensile_strength * sample::area / sample::bond_k_n;
-  CHECK(margin(law, k, {}) == doctest::Approx(in_tension).epsilon(1e-12));
-  CHECK(margin(law, k, {.opening = 0.4 * in_tension}) ==
-        doctest::Approx(0.6 * in_tension).epsilon(1e-12));
+  CHECK(margin(law, k, {}) == test::near(in_tension, 1e-12));
+  CHECK(margin(law, k, {.opening = 0.4 * in_tension}) == test::near(0.6 * in_tension, 1e-12));
   CHECK(margin(law, k, {.rotation = 0.4 * in_tension / sample::bond_radius}) ==
-        doctest::Approx(0.6 * in_tension).epsilon(1e-12));
+        test::near(0.6 * in_tension, 1e-12));
   // Under strong compression shear is nearer; friction grows faster there than stiffness in shear.
   const double tan = std::tan(35 * std::numbers::pi / 180), closing = 3e-6;
   const double strength =
       test::sample_rock.cohesion * sample::area + tan * sample::bond_k_n * closing;
   CHECK(margin(law, k, {.opening = -closing, .shear = 0.9 * strength / sample::bond_k_s}) ==
-        doctest::Approx(0.1 * strength / (sample::bond_k_n * tan)).epsilon(1e-12));
+        test::near(0.1 * strength / (sample::bond_k_n * tan), 1e-12));
 }
 
 TEST_CASE("a broken bond never comes near to failing") {

@@ -11,9 +11,9 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/random.hpp"
 #include "laws/sample_rock.hpp"
+#include "near.hpp"
 
 namespace {
 

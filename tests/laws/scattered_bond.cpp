@@ -8,8 +8,8 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/sample_rock.hpp"
+#include "near.hpp"
 
 namespace {
 

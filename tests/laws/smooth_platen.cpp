@@ -4,8 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/sample_rock.hpp"
+#include "near.hpp"
 
 using test::near;
 

@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 
 #include "flow/chain.hpp"
-#include "laws/near.hpp"
+#include "near.hpp"
 
 namespace {
 

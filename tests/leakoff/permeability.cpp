@@ -11,7 +11,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 
 using namespace hfdem;
 using test::near;

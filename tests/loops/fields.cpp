@@ -14,7 +14,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 
 using namespace hfdem::literals;
 using hfdem::Range;

@@ -12,11 +12,11 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/random.hpp"
 #include "laws/sample_joint.hpp"
 #include "loops/assembly.hpp"
 #include "loops/jointed_rock.hpp"
+#include "near.hpp"
 
 namespace {
 

@@ -14,8 +14,8 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "loops/assembly.hpp"
+#include "near.hpp"
 
 namespace {
 

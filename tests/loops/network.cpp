@@ -12,9 +12,9 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/random.hpp"
 #include "loops/assembly.hpp"
+#include "near.hpp"
 
 namespace {
 

@@ -16,9 +16,9 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/random.hpp"
 #include "loops/assembly.hpp"
+#include "near.hpp"
 
 namespace {
 
@@ -122,8 +122,8 @@ TEST_CASE("a step's account of the fastest disc bounds every motion") {
       distance = std::max({distance, std::abs(change[0]), std::abs(change[1])});
       rotation = std::max(rotation, std::abs(change[2]));
     }
-    CHECK(moved.distance / distance == doctest::Approx(1).epsilon(1e-6));
-    CHECK(moved.rotation / rotation == doctest::Approx(1).epsilon(1e-6));
+    CHECK(moved.distance / distance == test::near(1, 1e-6));
+    CHECK(moved.rotation / rotation == test::near(1, 1e-6));
   }
 }
 

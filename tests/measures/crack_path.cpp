@@ -10,9 +10,9 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/random.hpp"
 #include "measures/made_up_crack.hpp"
+#include "near.hpp"
 
 using hfdem::Index;
 using hfdem::Vec2;

@@ -10,8 +10,8 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "measures/one_contact.hpp"
+#include "near.hpp"
 #include "schemes/small_array.hpp"
 
 namespace {

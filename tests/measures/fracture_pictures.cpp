@@ -9,8 +9,8 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "measures/made_up_crack.hpp"
+#include "near.hpp"
 #include "schemes/small_array.hpp"
 
 namespace observe = hfdem::observe;

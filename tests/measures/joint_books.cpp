@@ -15,9 +15,9 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/sample_joint.hpp"
 #include "loops/jointed_rock.hpp"
+#include "near.hpp"
 #include "schemes/small_array.hpp"
 
 namespace {

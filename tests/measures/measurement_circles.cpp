@@ -7,8 +7,8 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "laws/random.hpp"
+#include "near.hpp"
 #include "observe/two_sizes.hpp"
 #include "schemes/small_array.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "measures/made_up_crack.hpp"
+#include "near.hpp"
 #include "observe/two_sizes.hpp"
 #include "schemes/small_array.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 
 using namespace hfdem;
 using test::near;

@@ -9,6 +9,8 @@
 
 #include <doctest/doctest.h>
 
+#include "near.hpp"
+
 using namespace hfdem;
 using std::numbers::pi;
 
@@ -19,9 +21,7 @@ constexpr double E_prime = 31e9, closing = 0.7e6, K = 2.2e6;
 const analytic::CrackedPlate plate{1, analytic::isotropic_plane(20e9, 0.2),
                                    analytic::PlateSides::rigid};
 
-doctest::Approx near(double value, double tolerance = 1e-9) {
-  return doctest::Approx(value).scale(0).epsilon(tolerance);
-}
+using test::near;
 
 /// Mean opening of an ellipse of half-length a within `reach`, by the midpoint rule.
 double ellipse_mean(double a, double reach) {

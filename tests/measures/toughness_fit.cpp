@@ -10,6 +10,8 @@
 
 #include <doctest/doctest.h>
 
+#include "near.hpp"
+
 using namespace hfdem;
 using std::numbers::pi;
 
@@ -26,9 +28,7 @@ const analytic::LatticeFracture lattice{.E = 34e9,
                                         .overhang = 1e-3};
 const analytic::CrackedPlate plate{1, {34e9, 0, 6.8e9}, analytic::PlateSides::rigid};
 
-doctest::Approx near(double value, double tolerance = 1e-9) {
-  return doctest::Approx(value).scale(0).epsilon(tolerance);
-}
+using test::near;
 
 /// w - w0 = 4 a p f_w / E' - w_off
 double opening(double a, double p) {

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 #include "observe/two_sizes.hpp"
 #include "schemes/small_array.hpp"
 

@@ -11,6 +11,7 @@
 #include <doctest/doctest.h>
 
 #include "analytic/kgd_truth.hpp"
+#include "near.hpp"
 
 using namespace hfdem::observe;
 using namespace hfdem::analytic;

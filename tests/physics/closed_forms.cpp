@@ -5,14 +5,13 @@
 
 #include <doctest/doctest.h>
 
+#include "near.hpp"
 #include "truth/static_lattice.hpp"
 
 using namespace hfdem;
 
 namespace {
-doctest::Approx near(double value, double tolerance) {
-  return doctest::Approx(value).scale(0).epsilon(tolerance);
-}
+using test::near;
 }  // namespace
 
 TEST_SUITE("closed_forms") {

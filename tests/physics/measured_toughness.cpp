@@ -10,6 +10,7 @@
 
 #include <doctest/doctest.h>
 
+#include "near.hpp"
 #include "physics/verification_run.hpp"
 #include "truth/static_lattice.hpp"
 
@@ -67,9 +68,7 @@ const measure::ToughnessTest& of_verification() {
   return test;
 }
 
-doctest::Approx near(double value, double tolerance) {
-  return doctest::Approx(value).scale(0).epsilon(tolerance);
-}
+using test::near;
 
 /// Largest relative deviation of the break times while the crack grows from a sixth to three
 /// quarters of the specimen.

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "near.hpp"
 #include "physics/verification_run.hpp"
 #include "truth/static_lattice.hpp"
 
@@ -28,10 +29,9 @@ TEST_SUITE("other_inputs") {
     CHECK(lying.crack_direction() == Vec2{1, 0});
     CHECK(lying.breaks().size() == upright.breaks().size());
     CHECK(upright.breaks().size() >= 6);
-    CHECK(b.tip_up == doctest::Approx(a.tip_up));
-    CHECK(b.aperture == doctest::Approx(a.aperture).scale(0).epsilon(1e-6));
-    CHECK(lying.injection_pressure() ==
-          doctest::Approx(upright.injection_pressure()).scale(0).epsilon(1e-6));
+    CHECK(b.tip_up == test::near(a.tip_up, 1e-9));
+    CHECK(b.aperture == test::near(a.aperture, 1e-6));
+    CHECK(lying.injection_pressure() == test::near(upright.injection_pressure(), 1e-6));
     CHECK(measure::broken_off_plane(lying) == 0);
   }
 
@@ -58,7 +58,7 @@ TEST_SUITE("other_inputs") {
       const auto first = static_cast<std::size_t>(event.broken_contacts - 4);
       if (event.broken_contacts < 16 || first >= sim.breaks().size()) continue;
       CAPTURE(event.broken_contacts);
-      CHECK(sim.breaks()[first].time == doctest::Approx(event.time).scale(0).epsilon(0.03));
+      CHECK(sim.breaks()[first].time == test::near(event.time, 0.03));
       ++compared;
     }
     CHECK(compared >= 11);
@@ -69,13 +69,13 @@ TEST_SUITE("other_inputs") {
     Kgd sim{square_array(60, 60, 5_mm), {.injection = {.position = Vec2{0.25, 0.20}}}};
     sim.run_until(0.05);
     const Vec2 at = measure::injection_point(sim);
-    CHECK(at.x == doctest::Approx(0.25));
-    CHECK(at.y == doctest::Approx(0.20));
+    CHECK(at.x == test::near(0.25, 1e-9));
+    CHECK(at.y == test::near(0.20, 1e-9));
     for (const BondBreak& b : sim.breaks())
-      CHECK(sim.contact_point(b.contact).x == doctest::Approx(0.25));
+      CHECK(sim.contact_point(b.contact).x == test::near(0.25, 1e-9));
     const auto shape = measure::crack_shape(sim);
     CHECK(shape.full_length() > 0.09);
-    CHECK(sim.network().crack_volume() == doctest::Approx(sim.injected_volume()).epsilon(0.05));
+    CHECK(sim.network().crack_volume() == test::near(sim.injected_volume(), 0.05));
   }
 
   TEST_CASE("a crack that reaches the rim stops the run with a sentence and loses nothing") {
@@ -89,6 +89,6 @@ TEST_SUITE("other_inputs") {
     }
     CHECK(stopped);
     CHECK(sim.breaks().size() == 16);
-    CHECK(measure::crack_shape(sim).full_length() == doctest::Approx(0.20));
+    CHECK(measure::crack_shape(sim).full_length() == test::near(0.20, 1e-9));
   }
 }

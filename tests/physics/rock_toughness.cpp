@@ -15,6 +15,8 @@
 
 #include <doctest/doctest.h>
 
+#include "near.hpp"
+
 using namespace hfdem;
 
 namespace {
@@ -34,9 +36,7 @@ const analytic::LatticeFracture lattice{.E = 34e9,
                                         .overhang = 0.17 * radius};
 const analytic::CrackedPlate plate{width, {34e9, 0, 6.8e9}, analytic::PlateSides::rigid};
 
-doctest::Approx near(double value, double tolerance) {
-  return doctest::Approx(value).scale(0).epsilon(tolerance);
-}
+using test::near;
 
 /// The array as a specimen whose neighbours are to be found.
 Specimen specimen() {

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "near.hpp"
 #include "truth/static_lattice.hpp"
 
 using namespace hfdem;
@@ -11,9 +12,7 @@ namespace {
 
 using Slit = Simulator<LinearParallelBond, HyperbolicAperture, HeldPressure, FixedPairs>;
 
-doctest::Approx near(double value, double tolerance) {
-  return doctest::Approx(value).scale(0).epsilon(tolerance);
-}
+using test::near;
 
 constexpr double closing = 10e6;
 

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include "near.hpp"
 #include "support/regimes_reading.hpp"
 #include "support/regimes_reference.hpp"
 
@@ -47,9 +48,7 @@ analytic::LatticeFracture measured() {
   return measure::toughness_test(slits, plate, lattice).rock;
 }
 
-doctest::Approx near(double value, double tolerance) {
-  return doctest::Approx(value).scale(0).epsilon(tolerance);
-}
+using test::near;
 
 }  // namespace
 

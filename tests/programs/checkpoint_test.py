@@ -185,10 +185,11 @@ class CheckpointTest(unittest.TestCase):
         self.assertIn("in_infinite_plane", summary["toughness"])  # the prediction is not forgotten
 
     def test_asked_to_stop_it_saves_and_says_how_to_go_on(self):
-        self.run_program(KGD, "--out", self.path("whole"), "--quick")
+        options = ("--quick", "--set", "scheme.equilibrium=true")
+        whole = self.work_of_the_whole(KGD, *options)
         reached = 0.0
-        for by, options in ((signal.SIGTERM, ["--quick"]), (signal.SIGINT, [])):
-            status, words = self.interrupt(KGD, "asked", *options, by=by, after=0.1)
+        for by, begin in ((signal.SIGTERM, options), (signal.SIGINT, ())):
+            status, words = self.interrupt(KGD, "asked", *begin, by=by, after=0.2 * whole)
             self.assertEqual(status, 4, words)
             said = re.fullmatch(r"kgd: interrupted at t = (\S+) s; go on with --resume (\S+)\n", words)
             self.assertEqual(said.group(2), str(self.path("asked")))
@@ -215,9 +216,10 @@ class CheckpointTest(unittest.TestCase):
         self.check_same_results("whole", "killed")
 
     def unfinished(self):
-        """The folder of a run that was stopped at its first fluid step."""
+        """The folder of a run that was stopped at one of its first fluid steps, of which it has so
+        many that it does not end before it is asked."""
         status, words = self.interrupt(KGD, "out", "--quick", "--set", "run.end_time=0.01",
-                                       by=signal.SIGTERM)
+                                       "--set", "scheme.fluid_dt=1e-6", by=signal.SIGTERM)
         self.assertEqual(status, 4, words)
         return self.path("out")
 

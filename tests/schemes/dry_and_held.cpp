@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 #include "schemes/mock_crack.hpp"
 #include "schemes/small_array.hpp"
 

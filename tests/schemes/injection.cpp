@@ -8,7 +8,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 #include "schemes/run_state.hpp"
 #include "schemes/small_array.hpp"
 

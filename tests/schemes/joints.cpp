@@ -12,8 +12,8 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
 #include "loops/jointed_rock.hpp"
+#include "near.hpp"
 #include "schemes/run_state.hpp"
 #include "schemes/small_array.hpp"
 

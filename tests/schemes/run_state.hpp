@@ -7,7 +7,7 @@
 #include <hfdem/contact/jointed.hpp>
 #include <hfdem/mechanics/joint_contacts.hpp>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 
 namespace test {
 

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 #include "schemes/small_array.hpp"
 
 namespace {

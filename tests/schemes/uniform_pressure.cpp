@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 #include "schemes/mock_crack.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include <doctest/doctest.h>
 
-#include "laws/near.hpp"
+#include "near.hpp"
 
 TEST_CASE("the stream is that of the published generator") {
   // SplitMix64 from seed 1234567, as its authors' code prints it.
