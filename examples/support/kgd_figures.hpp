@@ -39,6 +39,13 @@ analytic::KgdFracture paper_kgd(const Config& c, double time) {
                                              paper::Verification::K_IC, time);
 }
 
+/// What uniform pressure leaves out of a run, where that is much.
+template <class Config>
+std::string viscosity_left_out(const Config& c, double time) {
+  return viscosity_left_out<typename Config::Sim>(c.simulator, paper::Verification::E_prime,
+                                                  paper::Verification::K_IC, time);
+}
+
 /// Whether a run is of the paper's model; its rule and its mechanics are free.
 template <class Pressure>
 bool is_paper_model(KgdConfig<Pressure> config) {

@@ -149,6 +149,8 @@ class KgdReport {
                (flows<Sim> ? ""
                            : " That lengths and widths agree with it is therefore a weak "
                              "statement."));
+    const std::string left_out = viscosity_left_out(config_, sim.time());
+    if (!left_out.empty()) page_.text(left_out);
     page_.text(paper ? "The paper prints " + metres(Verification::kgd_full_length) + " and " +
                            micrometres(Verification::kgd_aperture) + " for the KGD solution."
                      : "The paper's own results hold for its specimen at 0.9 s, not for this run.");

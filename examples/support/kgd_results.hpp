@@ -230,7 +230,8 @@ class KgdResults {
                     paper::Verification::full_length, paper::Verification::aperture * 1e6);
       lines += text;
     }
-    return lines;
+    const std::string left_out = viscosity_left_out(config_, sim.time());
+    return left_out.empty() ? lines : lines + left_out + "\n";
   }
 
   const OutputFolder& folder_;

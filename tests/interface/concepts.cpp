@@ -133,6 +133,8 @@ struct OtherForces : LinearParallelBond {
   }
 };
 static_assert(ForeseesFailure<LinearParallelBond> && ForeseesFailure<ScatteredParallelBond>);
+static_assert(ForeseesFailure<Unbreakable<LinearParallelBond>>);
+static_assert(ForeseesFailure<Unbreakable<Law>>, "whether or not its law does");
 static_assert(ContactLaw<Law> && !ForeseesFailure<Law>, "no simulator needs the margin");
 static_assert(ContactLaw<OtherStrength> && !ForeseesFailure<OtherStrength>,
               "the margin of another strength is not inherited");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <hfdem/contact/scattered_parallel_bond.hpp>
+#include <hfdem/contact/unbreakable.hpp>
 
 #include <doctest/doctest.h>
 
@@ -105,6 +106,13 @@ TEST_CASE("a broken bond never comes near to failing") {
   const auto broken = law.broken(law.stiffness(test::small_disc, test::large_disc));
   for (const double opening : {-1.0, 0.0, 1.0})
     CHECK(margin(law, broken, {.opening = opening, .shear = 1, .rotation = 1}) > 1e300);
+}
+
+TEST_CASE("an unbreakable bond has no end") {
+  const hfdem::Unbreakable<test::Bond> law(test::sample_rock);
+  const auto k = law.stiffness(test::small_disc, test::large_disc);
+  CHECK(margin(law, k, {.opening = 1, .shear = 1, .rotation = 1}) > 1e300);
+  CHECK_FALSE(fails(law, k, {.opening = 1, .shear = 1, .rotation = 1}));
 }
 
 TEST_SUITE_END();

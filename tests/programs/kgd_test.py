@@ -276,7 +276,14 @@ class KgdTest(unittest.TestCase):
         # The pressure falls along the crack.
         pressure = [float(row["pressure_Pa"]) for row in self.table("profile.csv", "implicit")]
         self.assertLess(pressure[0], 0.9 * max(pressure))
-        self.assertIn("a fluid of 100 cp", (self.path("implicit") / "report.html").read_text())
+        page = {s: (self.path(s) / "report.html").read_text() for s in ("uniform", "implicit")}
+        self.assertIn("a fluid of 100 cp", page["implicit"])
+        # Who asks for a viscosity and lets no fluid flow is told what that leaves out.
+        lengths = [s["kgd"]["full_length_m"]["reference"] for s in (implicit, uniform)]
+        self.assertIn("Uniform pressure leaves viscosity out: 100 cp make the KGD fracture "
+                      f"{100 * (1 - lengths[0] / lengths[1]):.0f} % shorter.", page["uniform"])
+        self.assertNotIn("leaves viscosity out", page["implicit"])
+        self.assertNotIn("leaves viscosity out", self.run_kgd("--quick", out="thin").stdout)
 
     def test_a_parameter_file_knows_its_scheme(self):
         for scheme in ("implicit", "conventional"):

@@ -2,6 +2,8 @@
 /// A contact law without strength: what its bonds would carry, were they not to break.
 #pragma once
 
+#include <limits>
+
 #include <hfdem/state/concepts.hpp>
 
 namespace hfdem {
@@ -14,9 +16,16 @@ class Unbreakable : public Law {
   using Law::Law;
 
   /// None, under any force.
-  template <class T, class Response>
-  Failure<T> failure(const typename Law::template Stiffness<T>&, const Response&) const noexcept {
+  template <class T>
+  Failure<T> failure(const typename Law::template Stiffness<T>&,
+                     const ResponseOf<Law, T>&) const noexcept {
     return Failure<T>{.tension = {}, .shear = {}};
+  }
+
+  /// No motion makes one fail (see `ForeseesFailure`).
+  template <class T>
+  T margin(const typename Law::template Stiffness<T>&, const ResponseOf<Law, T>&) const noexcept {
+    return T{} + std::numeric_limits<double>::max();
   }
 };
 

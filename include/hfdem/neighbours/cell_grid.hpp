@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <hfdem/state/specimen.hpp>
@@ -22,15 +23,22 @@ class CellGrid {
     if (specimen.size() < 2) return;
     lay_out(specimen, reach);
     const std::vector<Index> cell = fill(specimen);
+    std::vector<Index> near;
     for (Index i = 0; i < specimen.size(); ++i) {
       const std::size_t first = pairs_.size();
-      for_each_around(cell[i], [&](Index j) {
-        if (i >= j) return;
-        // Most are too far apart by much: seen without a root.
-        const double most = specimen.radius[i] + specimen.radius[j] + reach;
-        const Vec2 between = specimen.centre[j] - specimen.centre[i];
-        if (dot(between, between) > (1 + 1e-9) * most * most) return;
-        if (specimen.gap({i, j}) <= reach) pairs_.push_back({i, j});
+      for_each_around(cell[i], [&](std::span<const Index> discs) {
+        // Most are too far apart by much: seen without a root, and without a branch.
+        near.resize(std::max(near.size(), discs.size()));
+        std::size_t count = 0;
+        for (const Index j : discs) {
+          const double most = specimen.radius[i] + specimen.radius[j] + reach;
+          const Vec2 between = specimen.centre[j] - specimen.centre[i];
+          near[count] = j;
+          count += static_cast<std::size_t>(i < j) &
+                   static_cast<std::size_t>(dot(between, between) <= (1 + 1e-9) * most * most);
+        }
+        for (std::size_t k = 0; k < count; ++k)
+          if (specimen.gap({i, near[k]}) <= reach) pairs_.push_back({i, near[k]});
       });
       std::sort(pairs_.begin() + static_cast<std::ptrdiff_t>(first), pairs_.end());
     }
@@ -82,15 +90,16 @@ class CellGrid {
     return cell;
   }
 
-  /// Calls `f(disc)` for all discs in a cell and the eight around it.
+  /// Calls `f(discs)` for the discs in a cell and the eight around it, row by row.
   template <class F>
   void for_each_around(Index cell, F&& f) const {
     const std::size_t column = cell % columns_, row = cell / columns_;
     const std::size_t left = column == 0 ? 0 : column - 1;
     const std::size_t right = std::min(columns_ - 1, column + 1);
-    for (std::size_t r = row == 0 ? 0 : row - 1; r <= std::min(rows_ - 1, row + 1); ++r)
-      for (Index k = begin_[r * columns_ + left]; k < begin_[r * columns_ + right + 1]; ++k)
-        f(discs_[k]);
+    for (std::size_t r = row == 0 ? 0 : row - 1; r <= std::min(rows_ - 1, row + 1); ++r) {
+      const Index begin = begin_[r * columns_ + left], end = begin_[r * columns_ + right + 1];
+      f(std::span(discs_).subspan(begin, end - begin));
+    }
   }
 
   Vec2 origin_;

@@ -4,12 +4,15 @@
 /// Frictionless springs of stiffness one that only push, between discs and (as between a disc and
 /// its mirror image) at the walls; unit masses. The least energy is sought by FIRE: E. Bitzek, P.
 /// Koskinen, F. Gaehler, M. Moseler, P. Gumbsch, "Structural relaxation made simple", Phys. Rev.
-/// Lett. 97 (2006) 170201. Each disc sums its own forces, and sums over discs run chunk by chunk in
-/// a fixed order, so no bit depends on the number of threads.
+/// Lett. 97 (2006) 170201. Each pair of neighbours writes one row, each disc sums its own rows, and
+/// sums over discs run chunk by chunk in a fixed order, so no bit depends on the number of threads.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -17,6 +20,7 @@
 #include <hfdem/base/errors.hpp>
 #include <hfdem/base/pack.hpp>
 #include <hfdem/base/parallel.hpp>
+#include <hfdem/base/row_place.hpp>
 #include <hfdem/neighbours/cell_grid.hpp>
 #include <hfdem/state/specimen.hpp>
 
@@ -34,7 +38,8 @@ class PackingRelaxation {
         force_(specimen.size()),
         velocity_(specimen.size()),
         sums_((specimen.size() + grain - 1) / grain),
-        farthest_(sums_.size()) {}
+        farthest_(sums_.size()),
+        flips_(all_flips()) {}
 
   /// Until the mean resultant on a disc is at most `tolerance` of the mean contact force.
   /// @throws RunStopped if that takes too long
@@ -79,8 +84,26 @@ class PackingRelaxation {
     double contact_force = 0, contacts = 0;  ///< a contact counts at each of its ends
   };
 
+  /// Sums of every fourth row.
+  using Lanes = std::array<Pack, four>;
+  static Pack sum(const Lanes& l) { return (l[0] + l[1]) + (l[2] + l[3]); }
+
+  /// Turns the first two of (x, y, radius, 0), and of a pair's row.
+  static constexpr PackMask flip{std::numeric_limits<long long>::min(),
+                                 std::numeric_limits<long long>::min(), 0, 0};
+  static Pack flipped_by(const PackMask& mask, const Pack& row) {
+    return std::bit_cast<Pack>(std::bit_cast<PackMask>(row) ^ mask);
+  }
+  using Flips = std::array<std::array<PackMask, usual>, usual + 1>;
+  /// What a disc does to its usual rows that is the second disc in so many of them.
+  static Flips all_flips() {
+    Flips flips{};
+    for (std::size_t seconds = 0; seconds < flips.size(); ++seconds)
+      std::fill_n(flips[seconds].begin(), seconds, flip);
+    return flips;
+  }
+
   double discs() const { return static_cast<double>(specimen_.size()); }
-  static double sum(const Pack& p) { return (p[0] + p[1]) + (p[2] + p[3]); }
   static Pack root(const Pack& p) {
     return Pack{std::sqrt(p[0]), std::sqrt(p[1]), std::sqrt(p[2]), std::sqrt(p[3])};
   }
@@ -89,7 +112,7 @@ class PackingRelaxation {
     const std::size_t n = specimen_.size();
     for (std::size_t i = 0; i < n; ++i)
       row_[i] = Pack{specimen_.centre[i].x, specimen_.centre[i].y, specimen_.radius[i], 0};
-    // Fills up lists of neighbours; it is far from everything.
+    // Fills up the list of pairs; it is far from everything.
     const double far = 1e3 * (specimen_.width + specimen_.height);
     row_[n] = Pack{far, far, 0, 0};
     std::fill(velocity_.begin(), velocity_.end(), Vec2{});
@@ -103,41 +126,53 @@ class PackingRelaxation {
       specimen_.centre[i] = {row_[i][0], row_[i][1]};
   }
 
-  /// Lists, for each disc, whom it may touch before any disc has moved by half the skin; four by
-  /// four.
+  /// Lists which discs may touch before any disc has moved by half the skin, and for each disc the
+  /// rows of its pairs: first those in which it is the second, as pairs are sorted.
   void find_neighbours() {
     finish();
     const CellGrid grid(specimen_, skin_);
     const std::size_t n = specimen_.size();
     std::vector<Index> next_free(n, 0);
-    grid.for_each_pair([&](Pair p) { ++next_free[p.first], ++next_free[p.second]; });
+    as_second_.assign(n, 0);
+    pairs_.clear();
+    grid.for_each_pair([&](Pair p) {
+      pairs_.push_back(p);
+      ++next_free[p.first], ++next_free[p.second], ++as_second_[p.second];
+    });
     begin_.assign(n + 1, 0);
     for (std::size_t i = 0; i < n; ++i)
       begin_[i + 1] = begin_[i] + std::max(usual, (next_free[i] + four - 1) / four * four);
-    neighbour_.assign(begin_[n], static_cast<Index>(n));
+    place_.assign(begin_[n], RowPlace::of(0));
     std::copy(begin_.begin(), begin_.end() - 1, next_free.begin());
-    grid.for_each_pair([&](Pair p) {
-      neighbour_[next_free[p.first]++] = p.second;
-      neighbour_[next_free[p.second]++] = p.first;
-    });
+    for (Index k = 0; k < pairs_.size(); ++k)
+      for (const Index disc : {pairs_[k].first, pairs_[k].second})
+        place_[next_free[disc]++] = RowPlace::of(1 + k);
+    // Disc 0 is far from the one far away.
+    pairs_.resize((pairs_.size() + four - 1) / four * four, {0, static_cast<Index>(n)});
+    pull_.assign(1 + pairs_.size(), Pack{});
   }
 
   /// Computes the forces.
   Sums evaluate() {
+    for_chunks(pairs_.size() / four, grain, threads_,
+               [&](std::size_t, std::size_t begin, std::size_t end) {
+                 for (std::size_t block = begin; block < end; ++block) pull(four * block);
+               });
     for_chunks(specimen_.size(), grain, threads_,
                [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                  Sums s;
-                 Pack contact_force{}, contacts{};
+                 Lanes rows{};
                  for (std::size_t i = begin; i < end; ++i) {
-                   const Vec2 f = force_[i] = force_on(i, contact_force, contacts);
+                   const Vec2 f = force_[i] = force_on(i, rows);
                    const Vec2 v = velocity_[i];
                    s.power += dot(f, v);
                    s.velocity_squared += dot(v, v);
                    s.force_squared += dot(f, f);
                    s.resultant += norm(f);
                  }
-                 s.contact_force = sum(contact_force);
-                 s.contacts = sum(contacts);
+                 const Pack all = sum(rows);
+                 s.contact_force = all[2];
+                 s.contacts = all[3];
                  sums_[chunk] = s;
                });
     Sums all;
@@ -152,30 +187,51 @@ class PackingRelaxation {
     return all;
   }
 
-  /// The resultant on one disc; adds up the forces of its contacts, and counts them.
-  Vec2 force_on(std::size_t disc, Pack& contact_force, Pack& contacts) const {
-    const Pack own = row_[disc], one = Pack{} + 1.0;
+  /// Writes the rows of four pairs: the force on the first disc, its size, and one if they touch.
+  void pull(std::size_t k) {
+    const auto row = [&](std::size_t pair) {
+      return row_[pairs_[pair].first] + flipped_by(flip, row_[pairs_[pair].second]);
+    };
+    Pack away_x = row(k), away_y = row(k + 1), radii = row(k + 2), unused = row(k + 3);
+    transpose(away_x, away_y, radii, unused);
+    const Pack distance = root(away_x * away_x + away_y * away_y);
+    const Pack overlap_share = max(Pack{}, radii / distance - 1.0);
+    Pack force_x = overlap_share * away_x, force_y = overlap_share * away_y;
+    Pack force = overlap_share * distance;
+    Pack touch = overlap_share > 0.0 ? Pack{} + 1.0 : Pack{};
+    transpose(force_x, force_y, force, touch);
+    Pack* rows = &pull_[1 + k];
+    rows[0] = force_x;
+    rows[1] = force_y;
+    rows[2] = force;
+    rows[3] = touch;
+  }
+
+  /// The resultant on one disc; adds its rows, one after the other to four sums.
+  Vec2 force_on(std::size_t disc, Lanes& sums) const {
+    const Pack own = row_[disc];
     const Pack to_walls{own[0], specimen_.width - own[0], own[1], specimen_.height - own[1]};
     const Pack wall = max(Pack{}, 2.0 * (own[2] - to_walls));
-    contact_force += wall;
-    contacts += wall > 0.0 ? one : Pack{};
-    Pack force_x{}, force_y{};
-    const auto add_four = [&](Index k) {
-      Pack x = row_[neighbour_[k]], y = row_[neighbour_[k + 1]];
-      Pack radius = row_[neighbour_[k + 2]], unused = row_[neighbour_[k + 3]];
-      transpose(x, y, radius, unused);
-      const Pack away_x = own[0] - x, away_y = own[1] - y;
-      const Pack distance = root(away_x * away_x + away_y * away_y);
-      const Pack overlap_share = max(Pack{}, (own[2] + radius) / distance - 1.0);
-      force_x += overlap_share * away_x;
-      force_y += overlap_share * away_y;
-      contact_force += overlap_share * distance;
-      contacts += overlap_share > 0.0 ? one : Pack{};
-    };
-    const Index begin = begin_[disc], end = begin_[disc + 1];
-    for (Index k = 0; k < usual; k += four) add_four(begin + k);
-    for (Index k = begin + usual; k < end; k += four) add_four(k);
-    return {sum(force_x) + wall[0] - wall[1], sum(force_y) + wall[2] - wall[3]};
+    if (any(wall > 0.0)) [[unlikely]]
+      for (std::size_t lane = 0; lane < four; ++lane)
+        sums[lane] += Pack{0, 0, wall[lane], wall[lane] > 0 ? 1.0 : 0.0};
+    Lanes rows{};
+    const Index begin = begin_[disc], end = begin_[disc + 1], seconds = as_second_[disc];
+    const Index* place = &place_[begin];
+    const auto& flips = flips_[std::min(seconds, usual)];
+    for (std::size_t k = 0; k < usual; ++k) {
+      const Pack row = flipped_by(flips[k], RowPlace::at(pull_.data(), place[k]));
+      rows[k % four] += row;
+      sums[k % four] += row;
+    }
+    for (Index k = usual; k < end - begin; ++k) {
+      const Pack row =
+          flipped_by(k < seconds ? flip : PackMask{}, RowPlace::at(pull_.data(), place[k]));
+      rows[k % four] += row;
+      sums[k % four] += row;
+    }
+    const Pack force = sum(rows);
+    return {force[0] + wall[0] - wall[1], force[1] + wall[2] - wall[3]};
   }
 
   /// Moves the discs, whose velocities become `keep` of themselves and so much of the forces.
@@ -203,7 +259,12 @@ class PackingRelaxation {
   std::vector<Sums> sums_;        ///< of each chunk
   std::vector<double> farthest_;  ///< of each chunk, squared
   double skin_ = 0;
-  std::vector<Index> begin_{}, neighbour_{};  ///< of disc i: neighbour_[begin_[i]] and following
+  std::vector<Pair> pairs_{};       ///< that may touch; four by four
+  std::vector<Pack> pull_{};        ///< after a row of zeros, those of the pairs
+  std::vector<Index> begin_{};      ///< where the places of each disc's rows begin, and the end
+  std::vector<Index> place_{};      ///< of rows
+  std::vector<Index> as_second_{};  ///< in how many of its pairs a disc is the second
+  Flips flips_;
 };
 
 }  // namespace hfdem::detail

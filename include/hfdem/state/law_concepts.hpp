@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <type_traits>
+#include <utility>
 
 #include <hfdem/base/fields.hpp>
 #include <hfdem/state/contact.hpp>
@@ -46,6 +47,12 @@ concept gives_springs = requires(const L& law,
   { law.springs(stiffness) }
   noexcept->std::same_as<Springs>;
 };
+
+/// What a law's `respond` returns.
+template <class L, class T>
+using ResponseOf = decltype(std::declval<const L&>().respond(
+    std::declval<const typename L::template Stiffness<T>&>(),
+    std::declval<const typename L::template Memory<T>&>(), std::declval<const Motion<T>&>()));
 
 /// `responds_to_motion` for one value type.
 template <class L, class T>
