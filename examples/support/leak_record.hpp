@@ -97,6 +97,7 @@ class LeakRecord {
     if constexpr (has_pores) {
       files.push_back({"pores.csv", "pressure and filling of every pore at the end"});
       files.push_back({"pores.svg", "pore pressure around the crack"});
+      files.push_back({"paraview/pores.pvd", "pores over time: pressure, filling"});
     }
     return files;
   }

@@ -1,4 +1,4 @@
-// Writes ParaView's files of three runs, and the numbers in them as tables besides, for
+// Writes ParaView's files of four runs, and the numbers in them as tables besides, for
 // paraview_test.py to compare.
 //
 //   paraview_files FOLDER
@@ -6,8 +6,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include <hfdem/leakoff/matrix_flow.hpp>
+#include <hfdem/measure/pores.hpp>
 #include <hfdem/observe/history.hpp>
 #include <hfdem/observe/paraview.hpp>
+#include <hfdem/pressure/leaky_uniform.hpp>
 
 #include "observe/two_sizes.hpp"
 #include "schemes/small_array.hpp"
@@ -70,6 +73,19 @@ void sheared(const fs::path& folder) {
   write_tables(folder, sim);
 }
 
+/// Rock whose pores take fluid from the crack.
+void seeping(const fs::path& folder) {
+  test::SquareRock<LeakyUniformPressure<MatrixFlow>> sim(
+      test::square(12), {.injection = {.rate = 5e-4}, .leakoff = {.saturation = 1}});
+  for (int step = 0; step < 20; ++step) sim.step();
+  observe::ParaView(folder, 1).write(sim);
+  write_tables(folder, sim);
+  std::ofstream file(folder / "pores.csv");
+  file << "x,y,pressure,filling,in_crack\n";
+  for (const measure::Pore& p : measure::pores(sim))
+    observe::write_row(file, {p.centre.x, p.centre.y, p.pressure, p.filling, double(p.in_crack)});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -78,4 +94,5 @@ int main(int argc, char** argv) {
   intact(folder / "intact");
   injected(folder / "injected");
   sheared(folder / "sheared");
+  seeping(folder / "seeping");
 }

@@ -39,6 +39,7 @@ ARRAYS = {  # name: components
                  PLACE: 1},
     "cracks": {"aperture (m)": 1, "pressure (Pa)": 1, "wet (0 dry, 1 wet)": 1, STATE: 1, PLACE: 1,
                "time of break (s)": 1},
+    "pores": {"pressure (Pa)": 1, "filling (1 full)": 1, "place (0 pore, 1 crack)": 1},
 }
 RADIUS = 5e-3
 
@@ -61,6 +62,7 @@ class PlainXml:
         assert len(self.points) == int(piece.get("NumberOfPoints"))
         self.vertices = self.cells(piece.find("Verts"), int(piece.get("NumberOfVerts")))
         self.lines = self.cells(piece.find("Lines"), int(piece.get("NumberOfLines")))
+        self.polygons = self.cells(piece.find("Polys"), int(piece.get("NumberOfPolys")))
 
     def rows(self, element):
         data = base64.b64decode(element.text, validate=True)
@@ -97,10 +99,11 @@ class Vtk:
         self.points = [mesh.GetPoint(k) for k in range(mesh.GetNumberOfPoints())]
         self.on_points = self.arrays(mesh.GetPointData())
         self.on_cells = self.arrays(mesh.GetCellData())
-        self.vertices, self.lines = [], []
+        self.vertices, self.lines, self.polygons = [], [], []
         for k in range(mesh.GetNumberOfCells()):
             cell = mesh.GetCell(k)
-            kind = {"vtkVertex": self.vertices, "vtkLine": self.lines}[cell.GetClassName()]
+            kind = {"vtkVertex": self.vertices, "vtkLine": self.lines, "vtkPolygon": self.polygons,
+                    "vtkQuad": self.polygons, "vtkTriangle": self.polygons}[cell.GetClassName()]
             kind.append([cell.GetPointId(p) for p in range(cell.GetNumberOfPoints())])
 
     @staticmethod
@@ -127,7 +130,7 @@ class ParaViewTest(unittest.TestCase):
         cls.folder = pathlib.Path(scratch.name)
         subprocess.run([PROGRAM, scratch.name], check=True)
         cls.runs = {run: {kind: read(sorted((cls.folder / run).glob(kind + "_*.vtp"))[-1])
-                          for kind in KINDS} for run in ("intact", "injected", "sheared")}
+                          for kind in KINDS} for run in ("intact", "injected", "sheared", "seeping")}
 
     def close(self, value, expected, *, scale=0.0, tolerance=1e-6):
         """Single precision: relative to the value, or to the largest of its kind."""
@@ -144,12 +147,13 @@ class ParaViewTest(unittest.TestCase):
             mesh, expected = read(path), ARRAYS[path.name.split("_")[0]]
             on, off = mesh.on_points, mesh.on_cells
             count = len(mesh.points)
-            if not path.name.startswith("particles"):
-                on, off, count = off, on, len(mesh.lines)
-                self.assertEqual(mesh.vertices, [])
+            cells = [mesh.vertices, mesh.lines, mesh.polygons]
+            if path.name.startswith("particles"):
+                self.assertEqual(cells, [[[k] for k in range(count)], [], []])
             else:
-                self.assertEqual(mesh.vertices, [[k] for k in range(count)])
-                self.assertEqual(mesh.lines, [])
+                own = 2 if path.name.startswith("pores") else 1
+                on, off, count = off, on, len(cells.pop(own))
+                self.assertEqual(cells, [[], []])
             self.assertEqual(off, {})
             self.assertEqual(set(on), set(expected))
             for name, rows in on.items():
@@ -261,6 +265,29 @@ class ParaViewTest(unittest.TestCase):
             self.assertEqual(len(mesh.lines), sum(row["open"] for row in rows))
             if name == "sheared":  # else the check of dry cracks would say nothing
                 self.assertLess(seen, len(mesh.lines))
+
+    def test_pores_are_polygons_between_discs_where_fluid_flows_through_the_rock(self):
+        self.assertEqual([p.parent.name for p in sorted(self.folder.glob("*/pores.pvd"))], ["seeping"])
+        mesh = read(self.folder / "seeping" / "pores_0000.vtp")
+        rows = table(self.folder / "seeping" / "pores.csv")
+        self.assertEqual(mesh.points, self.runs["seeping"]["particles"].points)
+        for name, column in (("pressure (Pa)", "pressure"), ("filling (1 full)", "filling"),
+                             ("place (0 pore, 1 crack)", "in_crack")):
+            self.column(mesh.on_cells[name], [row[column] for row in rows])
+        self.assertEqual({row["in_crack"] for row in rows}, {0, 1})
+        self.assertGreater(sum(row["pressure"] > 1e5 and not row["in_crack"] for row in rows), 5)
+        inner = 0
+        for polygon, row in zip(mesh.polygons, rows):
+            corners = [mesh.points[p] for p in polygon]
+            if len(corners) != 4:
+                continue  # the rim
+            inner += 1
+            x, y = (sum(c[k] for c in corners) / 4 for k in (0, 1))
+            self.assertLess(math.hypot(x - row["x"], y - row["y"]), 1e-2 * RADIUS)
+            around = zip(corners, corners[1:] + corners[:1])
+            area = sum(a[0] * b[1] - b[0] * a[1] for a, b in around) / 2
+            self.close(area, 4 * RADIUS**2, tolerance=1e-2)  # counter-clockwise
+        self.assertEqual(inner, 11 * 11)
 
     def test_the_lists_name_every_file_with_its_time(self):
         breaks = table(self.folder / "injected" / "breaks.csv")

@@ -1,9 +1,10 @@
 /// @file
-/// A run as ParaView shows it: discs, contacts and broken contacts at chosen times.
+/// A run as ParaView shows it: discs, contacts, broken contacts and pores at chosen times.
 ///
 /// The folder holds, for every step that is written, `particles_0000.vtp`, `contacts_0000.vtp` and
-/// `cracks_0000.vtp`; open `particles.pvd`, `contacts.pvd` and `cracks.pvd`, which list them with
-/// their times. The names of the arrays give their units.
+/// `cracks_0000.vtp`, and `pores_0000.vtp` where fluid flows through the rock; open
+/// `particles.pvd`, `contacts.pvd`, `cracks.pvd` and `pores.pvd`, which list them with their times.
+/// The names of the arrays give their units.
 ///
 /// - particles: a point at the present centre (where it was bonded, plus the displacement) of every
 ///   disc. Its stress is that of measure/particle_stress.hpp, a tensor of nine numbers whose third
@@ -17,6 +18,8 @@
 ///   then in the order of breaking. The pressure is the mean of the two flow domains that the
 ///   contact separates. What is broken but not connected to the injection holds no fluid: not wet,
 ///   no aperture. The preset contacts broke at time 0.
+/// - pores: a polygon between the present centres of the discs around every flow domain of a rock
+///   that leaks.
 #pragma once
 
 #include <array>
@@ -25,6 +28,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,6 +36,7 @@
 #include <hfdem/base/whole_file.hpp>
 #include <hfdem/measure/crack.hpp>
 #include <hfdem/measure/particle_stress.hpp>
+#include <hfdem/measure/pores.hpp>
 #include <hfdem/observe/interval.hpp>
 #include <hfdem/observe/vtk_xml.hpp>
 #include <hfdem/state/discs.hpp>
@@ -80,6 +85,8 @@ class ParaView {
     put("particles", particles(sim));
     put("contacts", contacts(sim, broken));
     put("cracks", cracks(sim, broken));
+    if constexpr (FlowsThroughRock<std::remove_cvref_t<decltype(sim.pressure_scheme())>>)
+      put("pores", pores(sim));
   }
 
   /// When was written, and when to write again.
@@ -173,6 +180,18 @@ class ParaView {
     file.add_to_lines(bond_state_name, [&](Index k) { return code(broken[k].state); });
     file.add_to_lines(place_name, [&](Index k) { return code(sim.is_joint(broken[k].contact)); });
     file.add_to_lines("time of break (s)", [&](Index k) { return reals(broken[k].time); });
+    return file;
+  }
+
+  template <class Sim>
+  static VtkPolyData pores(const Sim& sim) {
+    const std::vector<measure::Pore> all = measure::pores(sim);
+    VtkPolyData file(sim.time());
+    add_centres(file, sim.discs());
+    for (const measure::Pore& p : all) file.add_polygon(sim.network().discs_of(p.domain));
+    file.add_to_polygons("pressure (Pa)", [&](Index k) { return reals(all[k].pressure); });
+    file.add_to_polygons("filling (1 full)", [&](Index k) { return reals(all[k].filling); });
+    file.add_to_polygons("place (0 pore, 1 crack)", [&](Index k) { return code(all[k].in_crack); });
     return file;
   }
 

@@ -1,6 +1,6 @@
 /// @file
-/// VTK's XML files: points, lines and numbers on them (PolyData, .vtp), and ParaView's list of such
-/// files over time (.pvd).
+/// VTK's XML files: points, lines, polygons and numbers on them (PolyData, .vtp), and ParaView's
+/// list of such files over time (.pvd).
 ///
 /// Source: "VTK XML file formats" in VTK's documentation, version 1.0 with headers of 64 bits.
 /// Arrays stand inline in base64, so that a file is well-formed XML to every reader; reals are
@@ -95,20 +95,27 @@ inline std::string vtk_file(std::string_view type, std::string_view content) {
 
 }  // namespace detail
 
-/// Points that are cells of their own or the ends of lines, and arrays on points and lines.
+/// Points that are cells of their own, the ends of lines or the corners of polygons, and arrays on
+/// points and on these cells; a file has one kind of cells.
 class VtkPolyData {
  public:
   /// @param time of the simulation, s
   explicit VtkPolyData(double time) : time_(time) {}
 
-  /// Points and lines count from zero, in the order in which they are added. Lengths in m.
+  /// Points, lines and polygons count from zero, in the order in which they are added. Lengths in
+  /// m.
   void add_point(Vec2 at) { points_.push_back(reals(at.x, at.y, 0)); }
   /// @param from, to points, which may be added later
   void add_line(std::size_t from, std::size_t to) {
     line_ends_.push_back({static_cast<std::int32_t>(from)});
     line_ends_.push_back({static_cast<std::int32_t>(to)});
   }
-  /// Makes every point a cell that can be seen and selected; there are no lines then.
+  /// @param corners points, one after the other around it
+  void add_polygon(std::span<const Index> corners) {
+    for (const Index point : corners) corners_.push_back({static_cast<std::int32_t>(point)});
+    polygon_ends_.push_back({static_cast<std::int32_t>(corners_.size())});
+  }
+  /// Makes every point a cell that can be seen and selected.
   void show_points() { points_are_vertices_ = true; }
 
   /// An array on the points: one row for each.
@@ -121,27 +128,39 @@ class VtkPolyData {
   /// The same on the lines.
   template <class Row>
   void add_to_lines(std::string_view name, Row&& row) {
-    line_data_ += array(name, lines(), row);
+    cell_data_ += array(name, lines(), row);
+  }
+  /// The same on the polygons.
+  template <class Row>
+  void add_to_polygons(std::string_view name, Row&& row) {
+    cell_data_ += array(name, polygon_ends_.size(), row);
   }
 
   /// The whole file.
   std::string text() const {
     using detail::xml;
-    assert(!points_are_vertices_ || line_ends_.empty());
+    assert(points_are_vertices_ + !line_ends_.empty() + !polygon_ends_.empty() <= 1);
     const std::size_t vertices = points_are_vertices_ ? points_.size() : 0;
-    const auto vertex = [](Index k) { return std::array{static_cast<std::int32_t>(k)}; };
-    const auto line_end = [&](Index k) { return line_ends_[k]; };
+    const auto number = [](std::size_t k) { return std::array{static_cast<std::int32_t>(k)}; };
+    const auto end_of_line = [&](Index k) { return number(2 * (k + std::size_t{1})); };
+    const auto end_of_vertex = [&](Index k) { return number(k + std::size_t{1}); };
+    const auto end_of_polygon = [&](Index k) { return polygon_ends_[k]; };
     return detail::vtk_file(
         "PolyData",
         "<PolyData>\n<FieldData>\n<DataArray" + xml("type", "Float64") + xml("Name", "TimeValue") +
             xml("NumberOfTuples", 1) + xml("format", "ascii") + ">" + detail::time_text(time_) +
             "</DataArray>\n</FieldData>\n<Piece" + xml("NumberOfPoints", points_.size()) +
             xml("NumberOfVerts", vertices) + xml("NumberOfLines", lines()) +
-            xml("NumberOfStrips", 0) + xml("NumberOfPolys", 0) + ">\n<PointData>\n" + point_data_ +
-            "</PointData>\n<CellData>\n" + line_data_ + "</CellData>\n<Points>\n" +
-            detail::data_array("Points", points_) + "</Points>\n<Verts>\n" +
-            cells(vertices, 1, vertex) + "</Verts>\n<Lines>\n" + cells(lines(), 2, line_end) +
-            "</Lines>\n</Piece>\n</PolyData>\n");
+            xml("NumberOfStrips", 0) + xml("NumberOfPolys", polygon_ends_.size()) +
+            ">\n<PointData>\n" + point_data_ + "</PointData>\n<CellData>\n" + cell_data_ +
+            "</CellData>\n<Points>\n" + detail::data_array("Points", points_) +
+            "</Points>\n<Verts>\n" + array("connectivity", vertices, number) +
+            array("offsets", vertices, end_of_vertex) + "</Verts>\n<Lines>\n" +
+            detail::data_array("connectivity", line_ends_) +
+            array("offsets", lines(), end_of_line) + "</Lines>\n<Polys>\n" +
+            detail::data_array("connectivity", corners_) +
+            array("offsets", polygon_ends_.size(), end_of_polygon) +
+            "</Polys>\n</Piece>\n</PolyData>\n");
   }
 
  private:
@@ -155,19 +174,12 @@ class VtkPolyData {
     return detail::data_array(name, rows);
   }
 
-  /// Cells of `ends` points each, which `point` gives one after the other.
-  template <class Point>
-  static std::string cells(std::size_t size, std::size_t ends, Point&& point) {
-    return array("connectivity", size * ends, point) + array("offsets", size, [&](Index k) {
-             return std::array{static_cast<std::int32_t>((k + 1) * ends)};
-           });
-  }
-
   double time_;
   bool points_are_vertices_ = false;
   std::vector<std::array<float, 3>> points_;
-  std::vector<std::array<std::int32_t, 1>> line_ends_;
-  std::string point_data_, line_data_;
+  std::vector<std::array<std::int32_t, 1>> line_ends_, corners_;
+  std::vector<std::array<std::int32_t, 1>> polygon_ends_;  // in `corners_`
+  std::string point_data_, cell_data_;
 };
 
 /// A file and the time that it shows.
