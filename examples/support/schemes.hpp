@@ -60,7 +60,7 @@ inline constexpr bool leaks = LeakoffOf<SchemeOf<Sim>>::leaks;
 template <class Sim>
 inline constexpr bool seeps = FlowsThroughRock<SchemeOf<Sim>>;
 
-/// The fluid in a caption: ", a fluid of 100 cp"; nothing where its viscosity does not matter.
+/// The fluid in a caption: " of a fluid of 100 cp"; nothing where its viscosity does not matter.
 template <class Sim>
 std::string said_fluid(const typename Sim::Params& p) {
   if constexpr (flows<Sim>) return " of a fluid of " + in_words(p.fluid.viscosity * 1e3) + " cp";
@@ -93,10 +93,11 @@ analytic::KgdFracture reference_kgd(const typename Sim::Params& p, double E_prim
 template <class Sim>
 std::string viscosity_left_out(const typename Sim::Params& p, double E_prime, double K_IC,
                                double time) {
-  constexpr double much = 0.1;
+  constexpr double much = 0.1, most_viscous = 1e20;  // for the KGD solution
   if (flows<Sim> || !(InjectionRate(p.injection).volume(0, time) > 0)) return "";
   const double with =
-      kgd_with_viscosity(p.injection, E_prime, K_IC, p.fluid.viscosity, time).half_length;
+      kgd_with_viscosity(p.injection, E_prime, K_IC, min(p.fluid.viscosity, most_viscous), time)
+          .half_length;
   const double without = kgd_with_viscosity(p.injection, E_prime, K_IC, 0, time).half_length;
   const double shorter = 1 - with / without;
   if (!(shorter > much)) return "";

@@ -113,15 +113,14 @@ class Assembly {
   /// Moves platens and discs by one time step.
   /// @param settling frozen platens still move then
   /// @param threads for the loop; the result does not depend on it
-  /// @returns the largest resultant force on a disc before damping, N per m
+  /// @returns the largest resultant force on a disc before damping, N per m; discs under a dead
+  /// load do not count
   double move(bool settling, int threads) {
     loading_.step(discs_, forces_, settling);
     const Moved moved = std::exchange(to_sweep_, false)
                             ? sweep_.step(rock_, discs_, forces_, motion_, threads)
                             : motion_.step(discs_, forces_, threads);
-    // Two discs move by at most twice sqrt(2) components apart, in opening and shear together by
-    // sqrt(2) as much; their arms and their bond's edge turn by two rotations each.
-    rock_.moved(4 * (moved.distance + lever_ * moved.rotation));
+    rock_.moved(moved.of_contacts(lever_));
     if (joints_.size() > joints_.bonded() && ++steps_ % between_meetings == 0) joints_.meet(discs_);
     return moved.resultant;
   }

@@ -26,7 +26,8 @@ namespace hfdem {
 /// The constructor bonds the specimen, cuts the preset cracks and lets the in-situ stress settle;
 /// from then on `step` makes one fluid step, with as many mechanical steps as the pressure scheme
 /// wants. The simulator does no input or output and has no globals; several may live side by side.
-/// The bits of every result depend only on the parameters, never on the number of threads.
+/// The bits of every result depend only on the parameters, never on the number of threads, if the
+/// compiler fuses no multiplications and additions (`-ffp-contract=off`).
 ///
 /// @tparam Contact law between bonded discs, e.g. `LinearParallelBond`
 /// @tparam Aperture law of the flow channels, e.g. `HyperbolicAperture`

@@ -133,6 +133,7 @@ struct OtherForces : LinearParallelBond {
   }
 };
 static_assert(ForeseesFailure<LinearParallelBond> && ForeseesFailure<ScatteredParallelBond>);
+static_assert(ForeseesFailure<IncrementalParallelBond>);
 static_assert(ForeseesFailure<Unbreakable<LinearParallelBond>>);
 static_assert(ForeseesFailure<Unbreakable<Law>>, "whether or not its law does");
 static_assert(ContactLaw<Law> && !ForeseesFailure<Law>, "no simulator needs the margin");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <hfdem/contact/incremental_parallel_bond.hpp>
 #include <hfdem/contact/scattered_parallel_bond.hpp>
 #include <hfdem/contact/unbreakable.hpp>
 
@@ -70,6 +71,11 @@ TEST_SUITE_BEGIN("bond_margin");
 
 TEST_CASE("no motion within the margin breaks a bond, and one beyond it does") {
   const test::Bond law(test::sample_rock);
+  check_margin(law, law.stiffness(test::small_disc, test::large_disc));
+}
+
+TEST_CASE("the same in incremental form") {
+  const hfdem::IncrementalParallelBond law(test::sample_rock);
   check_margin(law, law.stiffness(test::small_disc, test::large_disc));
 }
 

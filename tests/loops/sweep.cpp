@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include <hfdem/assembly.hpp>
+#include <hfdem/contact/incremental_parallel_bond.hpp>
 #include <hfdem/contact/scattered_parallel_bond.hpp>
 #include <hfdem/neighbours/cell_grid.hpp>
 #include <hfdem/setup/bonding.hpp>
@@ -81,6 +83,16 @@ Specimen rock_of(int grains) {
   return random_packing({.width = side, .height = side, .grains = grains});
 }
 
+/// A search that gives the higher number first.
+struct Backwards {
+  CellGrid search;
+  Backwards(const Specimen& s, double reach) : search(s, reach) {}
+  template <class F>
+  void for_each_pair(F&& f) const {
+    search.for_each_pair([&](Pair p) { f({p.second, p.first}); });
+  }
+};
+
 }  // namespace
 
 TEST_CASE("random rock that breaks moves by the same bits in one pass") {
@@ -89,6 +101,10 @@ TEST_CASE("random rock that breaks moves by the same bits in one pass") {
 
 TEST_CASE("bonds of unequal strength break at the same steps in one pass") {
   check_sweep(ScatteredParallelBond({{}, 4, 1}), rock_of(4000), 600, 20);
+}
+
+TEST_CASE("so does the bond in incremental form, all of whose memory changes") {
+  check_sweep(IncrementalParallelBond({}), rock_of(4000), 600, 20);
 }
 
 TEST_CASE("a square array moves by the same bits in one pass") {
@@ -125,6 +141,85 @@ TEST_CASE("a step's account of the fastest disc bounds every motion") {
     CHECK(moved.distance / distance == test::near(1, 1e-6));
     CHECK(moved.rotation / rotation == test::near(1, 1e-6));
   }
+}
+
+TEST_CASE("no contact moves by more than a step says, and some by as much") {
+  test::Random random(6);
+  const Moved apart{.resultant = 0, .distance = 2e-6, .rotation = 0};
+  const Moved turned{.resultant = 0, .distance = 0, .rotation = 3e-4};
+  const Moved both{.resultant = 0, .distance = 2e-6, .rotation = 3e-4};
+  const auto worst = [&](const Moved& moved) {
+    double most = 0;
+    for (int n = 0; n < 200; ++n) {
+      const double first = random(3e-3, 5e-3), second = n % 2 == 0 ? first : random(3e-3, 5e-3);
+      const double angle = random(0, 2 * std::numbers::pi), gap = random(-1e-4, 1e-4);
+      const Frame<double> frame{std::cos(angle), std::sin(angle), (first + second + gap) / 2,
+                                (second - first) / 2};
+      const double arm = (first > second ? first : second) + gap / 2;
+      const double lever = std::max({first, second, arm});
+      for (unsigned corner = 0; corner < 64; ++corner) {
+        const auto end = [&](unsigned k, double size) {
+          return (corner >> k & 1U) != 0 ? size : -size;
+        };
+        const double dx = end(0, moved.distance) - end(1, moved.distance);
+        const double dy = end(2, moved.distance) - end(3, moved.distance);
+        const double turn = end(4, moved.rotation), other = end(5, moved.rotation);
+        const auto u = frame.motion(dx, dy, turn - other, turn + other);
+        const double change = std::abs(u.opening) + std::abs(u.shear) +
+                              std::abs(u.rotation) * std::min(first, second);
+        most = std::max(most, change / moved.of_contacts(lever));
+      }
+    }
+    return most;
+  };
+  for (const Moved& moved : {apart, turned, both}) {
+    CHECK(worst(moved) <= 1 + 1e-12);
+    CHECK(worst(moved) > 0.98);
+  }
+}
+
+TEST_CASE("a search may give pairs with the higher number first") {
+  const Specimen specimen = rock_of(500);
+  const auto forward = bonded_contacts<CellGrid>(specimen);
+  const auto backward = bonded_contacts<Backwards>(specimen);
+  REQUIRE(forward.size() == backward.size());
+  for (std::size_t c = 0; c < forward.size(); ++c) {
+    CHECK(forward[c].bodies == backward[c].bodies);
+    CHECK(forward[c].frame.normal_x == backward[c].frame.normal_x);
+  }
+}
+
+TEST_CASE("where asking buys nothing, nobody is asked for some steps") {
+  Foresight all_fast(4, 1e-12), one_fast(4, 1e-12);
+  int asked_all = 0, asked_one = 0;
+  const auto step = [](Foresight& book, std::size_t fast, int& asked) {
+    if (!book.sure() && book.pays()) {
+      ++asked;
+      for (const std::size_t chunk : book.unsure()) book.tell(chunk, chunk < fast ? 1e-9 : 1);
+      book.count();
+    }
+    book.moved(1e-8);
+  };
+  for (int n = 0; n < 1000; ++n) {
+    step(all_fast, 4, asked_all);
+    step(one_fast, 1, asked_one);
+  }
+  CHECK(asked_all > 40);
+  CHECK(asked_all < 80);
+  CHECK(asked_one > 900);  // a quarter is soon asked
+}
+
+TEST_CASE("after a long way even the slowest motion counts") {
+  Foresight book(1, 1e-12);
+  book.moved(100);
+  book.unsure();
+  book.tell(0, 2e-6);
+  book.count();
+  int steps = 0;
+  for (; book.sure() && steps < 1000; ++steps) book.moved(5e-15);
+  CHECK(book.sure());
+  book.moved(2e-6);
+  CHECK_FALSE(book.sure());
 }
 
 TEST_CASE(

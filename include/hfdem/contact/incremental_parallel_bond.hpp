@@ -56,6 +56,12 @@ class IncrementalParallelBond : public LinearParallelBond {
     return r;
   }
 
+  /// As of the total form: what the forces change by is the same (see `ForeseesFailure`).
+  template <class T>
+  T margin(const Stiffness<T>& k, const Response<T>& r) const noexcept {
+    return LinearParallelBond::margin(k, r);
+  }
+
   /// What both parts store at this motion, J per m.
   template <class T>
   T energy(const Stiffness<T>& k, const Memory<T>& last, const Motion<T>& motion) const noexcept {

@@ -140,9 +140,10 @@ class ContactRange {
     }
   }
 
-  /// Whether no bond can fail at these displacements; asks the law where that is not sure.
+  /// Whether no bond can fail at these displacements; asks the law where that is not sure and pays.
   bool all_hold(std::span<const Pack> displacement, int threads) requires ForeseesFailure<Law> {
     if (foresight_.sure()) return true;
+    if (!foresight_.pays()) return false;
     const auto& unsure = foresight_.unsure();
     for_chunks(unsure.size(), 1, threads,
                [&, all = blocks(displacement, {})](std::size_t k, std::size_t, std::size_t) {

@@ -37,16 +37,32 @@ class Foresight {
 
   /// No contact's motion has changed by more than this, m, since the last step: opening, shear, and
   /// rotation times the smaller disc's radius together.
-  void moved(double at_most) { distance_ += at_most; }
+  void moved(double at_most) {
+    distance_ += at_most;
+    ++steps_;
+    // A longer sum would round away what discs move in slow steps.
+    if (distance_ > 1e9 * rounding_) forget();
+  }
 
   /// Whether all contacts are sure to hold.
   bool sure() const { return distance_ < first_end_; }
+
+  /// Whether asking those that are not sure has been worth it: not where most were asked and had to
+  /// be asked again in the next step. Then a number of steps passes before anybody is asked.
+  bool pays() {
+    constexpr int rest = 16;
+    if (asked_most_ && steps_ <= 1) to_rest_ = rest;
+    asked_most_ = false;
+    return to_rest_ == 0 || --to_rest_ == 0;
+  }
 
   /// The chunks that are not sure to hold.
   const std::vector<std::size_t>& unsure() {
     unsure_.clear();
     for (std::size_t chunk = 0; chunk < sure_until_.size(); ++chunk)
       if (!(distance_ < sure_until_[chunk])) unsure_.push_back(chunk);
+    asked_most_ = 2 * unsure_.size() > sure_until_.size();
+    steps_ = 0;
     return unsure_;
   }
 
@@ -67,6 +83,9 @@ class Foresight {
   std::vector<double> sure_until_;  // distances
   double rounding_;
   double distance_ = 0, first_end_ = lowest;
+  bool asked_most_ = false;
+  long steps_ = 0;   // since somebody was asked
+  int to_rest_ = 0;  // steps
   std::vector<std::size_t> unsure_;
 };
 

@@ -6,8 +6,8 @@
 /// contacts of the discs up to i are known as first ones, no later contact looks at these discs,
 /// and they can move. Threads take a part of the discs each; the few blocks of contacts between
 /// discs of two parts come first. Every row and every sum is the same, bit for bit, as when all
-/// contacts come before all discs (if the compiler fuses no multiplications and additions:
-/// `-ffp-contract=off`), and does not depend on the parts.
+/// contacts come before all discs, and does not depend on the parts (if the compiler fuses no
+/// multiplications and additions: `-ffp-contract=off`).
 ///
 /// A bond must not break meanwhile: discs would have moved under its force. `Assembly` sweeps only
 /// when all are sure to hold.
@@ -66,11 +66,10 @@ class Sweep {
       const ContactBlocks<Law> contacts = all;
       MotionTally tally;
       const Index* skipped = &between_[part.first_between];
-      Index block = part.first_block;
+      Index block = blocks_before(part.begin);
       for (std::size_t i = part.begin; i < part.end; i += group) {
         const std::size_t end = std::min(i + group, part.end);
-        for (const Index known = std::min(blocks_before(end), part.end_block); block < known;
-             ++block) {
+        for (const Index known = blocks_before(end); block < known; ++block) {
           if (block == *skipped)
             ++skipped;
           else
@@ -91,9 +90,8 @@ class Sweep {
   static constexpr std::size_t worth_a_thread = 1024;
 
   struct Part {
-    std::size_t begin = 0, end = 0;        // discs
-    Index first_block = 0, end_block = 0;  // between them alone, but for the blocks `between`
-    std::size_t first_between = 0;         // place of the first of these
+    std::size_t begin = 0, end = 0;  // discs
+    std::size_t first_between = 0;   // of their blocks: place in `between_`
   };
 
   /// How many blocks hold the contacts whose first disc is below `disc`.
@@ -115,10 +113,8 @@ class Sweep {
       Part& part = parts_[k];
       part.begin = begin(k);
       part.end = begin(k + 1);
-      part.first_block = blocks_before(part.begin);
-      part.end_block = blocks_before(part.end);
       part.first_between = between_.size();
-      for (Index b = part.first_block; b < part.end_block; ++b)
+      for (Index b = blocks_before(part.begin); b < blocks_before(part.end); ++b)
         if (last_in_block_[b] >= part.end) between_.push_back(b);
     }
     between_.push_back(std::numeric_limits<Index>::max());

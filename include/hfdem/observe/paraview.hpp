@@ -18,8 +18,8 @@
 ///   then in the order of breaking. The pressure is the mean of the two flow domains that the
 ///   contact separates. What is broken but not connected to the injection holds no fluid: not wet,
 ///   no aperture. The preset contacts broke at time 0.
-/// - pores: a polygon between the present centres of the discs around every flow domain of a rock
-///   that leaks.
+/// - pores: a polygon between the present centres of the discs around every flow domain, where
+///   fluid flows through the rock.
 #pragma once
 
 #include <array>

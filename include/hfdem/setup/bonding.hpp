@@ -28,13 +28,14 @@ inline ContactGeometry contact_geometry(const Specimen& s, Pair pair) {
                     (s.radius[pair.second] - s.radius[pair.first]) / 2}};
 }
 
-/// All pairs within the specimen's bonding gap, sorted.
+/// All pairs within the specimen's bonding gap, sorted, the lower number first.
 /// @throws InvalidParameter if two discs share a centre.
 template <NeighbourSearch Search>
 std::vector<ContactGeometry> bonded_contacts(const Specimen& s) {
   std::vector<Pair> pairs;
   Search(s, s.bonding_gap).for_each_pair([&](Pair p) {
-    if (s.gap(p) <= s.bonding_gap) pairs.push_back(p);
+    if (s.gap(p) <= s.bonding_gap)
+      pairs.push_back({std::min(p.first, p.second), std::max(p.first, p.second)});
   });
   std::sort(pairs.begin(), pairs.end());
   std::vector<ContactGeometry> contacts;
