@@ -61,8 +61,8 @@ struct ContactsByHand {
   }
 
   void evaluate(const Four* displacement, Four* force) {
-    constexpr long long minus = std::numeric_limits<long long>::min(), magnitude = ~minus;
-    const Bits flip = {minus, minus, minus, 0};
+    constexpr long long magnitude = std::numeric_limits<long long>::max();
+    const Four first = {-1, -1, -1, 1};
     const Four zero = {};
     const std::uint32_t* i = bodies.data();
     const Four *f = frame.data(), *k = spring.data();
@@ -72,10 +72,10 @@ struct ContactsByHand {
       const std::size_t end = std::min(offset.size(), (note + 1) * blocks_per_note);
       for (std::size_t b = note * blocks_per_note; b < end;
            ++b, i += 8, f += 4, k += 3, ++off, row += 4) {
-        const Four d0 = displacement[i[4]] + (Four)((Bits)displacement[i[0]] ^ flip);
-        const Four d1 = displacement[i[5]] + (Four)((Bits)displacement[i[1]] ^ flip);
-        const Four d2 = displacement[i[6]] + (Four)((Bits)displacement[i[2]] ^ flip);
-        const Four d3 = displacement[i[7]] + (Four)((Bits)displacement[i[3]] ^ flip);
+        const Four d0 = hfdem::plus_signed(displacement[i[4]], first, displacement[i[0]]);
+        const Four d1 = hfdem::plus_signed(displacement[i[5]], first, displacement[i[1]]);
+        const Four d2 = hfdem::plus_signed(displacement[i[6]], first, displacement[i[2]]);
+        const Four d3 = hfdem::plus_signed(displacement[i[7]], first, displacement[i[3]]);
         const Four even01 = __builtin_shufflevector(d0, d1, 0, 4, 2, 6);
         const Four even23 = __builtin_shufflevector(d2, d3, 0, 4, 2, 6);
         const Four odd01 = __builtin_shufflevector(d0, d1, 1, 5, 3, 7);
@@ -90,13 +90,12 @@ struct ContactsByHand {
         const Four slide = (dy * nx - dx * ny) - (arm * rotation_sum + half * rotation);
 
         const Four pressed = k[0] * closing;
-        const Four normal = zero > pressed ? zero : pressed;
+        const Four normal = hfdem::max(zero, pressed);
         const Four limit = friction * normal;
         Four shear = *off - (k[0] * shear_ratio) * slide;
         if (hfdem::any((Four)((Bits)shear & magnitude) >= limit)) [[unlikely]] {
           const Four elastic = shear;
-          const Four below = elastic < limit ? elastic : limit;
-          shear = -limit > below ? -limit : below;
+          shear = hfdem::max(-limit, hfdem::min(elastic, limit));
           *off += shear - elastic;
         }
         const Four bond_normal = k[1] * closing;
@@ -116,8 +115,7 @@ struct ContactsByHand {
         row[3] = __builtin_shufflevector(odd_xy, odd_t, 2, 3, 6, 7);
 
         const Four tension = three_beta * (Four)((Bits)moment & magnitude) - bond_normal * k[2];
-        const Four strength =
-            two_cohesion * k[2] + tan_angle * (zero > bond_normal ? zero : bond_normal);
+        const Four strength = two_cohesion * k[2] + tan_angle * hfdem::max(zero, bond_normal);
         any_failed |= (tension > (two_tensile * k[2]) * k[2]) |
                       ((Four)((Bits)minus_bond_shear & magnitude) > strength);
       }
@@ -127,15 +125,12 @@ struct ContactsByHand {
 };
 
 struct DiscsByHand {
-  static Bits flip(unsigned first) {
-    constexpr long long minus = std::numeric_limits<long long>::min();
-    return first ? Bits{minus, minus, minus, 0} : Bits{0, 0, 0, 0};
-  }
+  static Four sign(unsigned first) { return first ? Four{-1, -1, -1, 1} : Four{1, 1, 1, 1}; }
 
   std::vector<std::uint32_t> entries;          // six of each disc: row + 1 or 0, times four
   std::vector<std::uint8_t> signs;             // of these, a bit each; the last one: there are more
   std::vector<std::uint32_t> more, more_from;  // of discs with more contacts, their sign in bit 0
-  Bits flips[64][6];                           // what each pattern of signs does
+  Four signs_of_rows[64][6];                   // what each pattern of signs means
   std::vector<Four> displacement, velocity;
   std::vector<double> load, translation, rotation;  // load: x, y; time step over mass and inertia
   double dt, damping;
@@ -168,7 +163,7 @@ struct DiscsByHand {
       for (std::size_t k = 6; k < rows[i].size(); ++k) more.push_back(rows[i][k]);
     }
     for (unsigned pattern = 0; pattern < 64; ++pattern)
-      for (unsigned k = 0; k < 6; ++k) flips[pattern][k] = flip(pattern >> k & 1);
+      for (unsigned k = 0; k < 6; ++k) signs_of_rows[pattern][k] = sign(pattern >> k & 1);
     more_from.push_back(static_cast<std::uint32_t>(more.size()));
   }
 
@@ -176,24 +171,24 @@ struct DiscsByHand {
   /// @param row a row of zeros, then those of the contacts
   double step(const Four* row) {
     constexpr long long magnitude = std::numeric_limits<long long>::max();
-    const Four zero = {}, one = zero + 1.0;
+    const Four zero = {};
     const double* rows = reinterpret_cast<const double*>(row);
     Four largest = {};
     for (std::size_t i = 0; i + 1 < more_from.size(); ++i) {
       Four sum = {load[2 * i], load[2 * i + 1], 0, 0};
       const std::uint32_t* e = &entries[6 * i];
-      const Bits* f = flips[signs[i] & 63];
+      const Four* s = signs_of_rows[signs[i] & 63];
       for (unsigned k = 0; k < 6; ++k)
-        sum += (Four)(*reinterpret_cast<const Bits*>(rows + e[k]) ^ f[k]);
+        sum = hfdem::plus_signed(sum, s[k], *reinterpret_cast<const Four*>(rows + e[k]));
       if (signs[i] >= 128)
         for (std::uint32_t m = more_from[i]; m < more_from[i + 1]; ++m)
-          sum += (Four)((Bits)row[more[m] >> 1] ^ flip(more[m] & 1));
+          sum = hfdem::plus_signed(sum, sign(more[m] & 1), row[more[m] >> 1]);
       const Four square = sum * sum;
       const Four both = square + __builtin_shufflevector(square, square, 1, 0, 3, 2);
-      largest = largest > both ? largest : both;
+      largest = hfdem::max(largest, both);
       const Four pull = sum + __builtin_shufflevector(sum, zero, 4, 5, 3, 2);
-      const Four sign = (velocity[i] > zero ? one : zero) - (velocity[i] < zero ? one : zero);
-      const Four damped = pull - damping * (Four)((Bits)pull & magnitude) * sign;
+      const Four damped =
+          pull - hfdem::with_sign(damping * (Four)((Bits)pull & magnitude), velocity[i]);
       const double t = translation[i], r = rotation[i];
       velocity[i] += damped * Four{t, t, r, r};
       displacement[i] += velocity[i] * dt;

@@ -7,6 +7,7 @@
 ///
 /// You should see mechanics take most of every run, and set-up less than a tenth.
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -37,7 +38,7 @@ using namespace hfdem::support;
 struct Shares {
   double set_up = 0, mechanics = 0, steps = 0, output = 0;
 
-  double fluid() const { return steps - mechanics; }
+  double fluid() const { return std::fmax(0, steps - mechanics); }
   double whole() const { return set_up + steps + output; }
 };
 Shares shares;

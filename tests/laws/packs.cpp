@@ -144,9 +144,16 @@ TEST_CASE("the functions of packs are those of numbers, lane by lane") {
     CHECK(hfdem::clamp(value, -1.0, 2.0) == std::fmin(std::fmax(value, -1.0), 2.0));
 }
 
-TEST_CASE("the sign of zero is zero") {
-  const Pack s = hfdem::sign(Pack{-1e-300, 0.0, -0.0, 5});
-  const std::array<double, 4> expected{-1, 0, 0, 1};
+TEST_CASE("a sign is that of the other number, and zero has none") {
+  const Pack s = hfdem::with_sign(Pack{3, 4, 5, 6}, Pack{-1e-300, 0.0, -0.0, 5});
+  const std::array<double, 4> expected{-3, 0, 0, 6};
+  for (std::size_t lane = 0; lane < 4; ++lane) CHECK(bits(s[lane]) == bits(expected[lane]));
+}
+
+TEST_CASE("what is added with a sign is rounded once") {
+  const Pack a{1, 1, 0.1, -0.0}, b{1e-17, 0.2, 0.3, 0.0}, signs{-1, 1, -1, -1};
+  const Pack s = hfdem::plus_signed(a, signs, b);
+  const std::array<double, 4> expected{1 - 1e-17, 1 + 0.2, 0.1 - 0.3, -0.0 - 0.0};
   for (std::size_t lane = 0; lane < 4; ++lane) CHECK(bits(s[lane]) == bits(expected[lane]));
 }
 

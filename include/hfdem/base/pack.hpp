@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -54,6 +55,24 @@ template <class F>
   return std::bit_cast<Pack>(Halves{f(x.low, y.low), f(x.high, y.high)});
 #endif
 }
+
+// a > b ? a : b and a < b ? a : b, in the one instruction that compilers do not always find.
+#if defined(__AVX__)
+inline Pack larger(const Pack& a, const Pack& b) { return __builtin_ia32_maxpd256(a, b); }
+inline Pack smaller(const Pack& a, const Pack& b) { return __builtin_ia32_minpd256(a, b); }
+#elif defined(__SSE2__)
+inline PackHalf larger(const PackHalf& a, const PackHalf& b) { return __builtin_ia32_maxpd(a, b); }
+inline PackHalf smaller(const PackHalf& a, const PackHalf& b) { return __builtin_ia32_minpd(a, b); }
+#else
+template <class T>
+T larger(const T& a, const T& b) {
+  return a > b ? a : b;
+}
+template <class T>
+T smaller(const T& a, const T& b) {
+  return a < b ? a : b;
+}
+#endif
 }  // namespace detail
 
 /// @name For one value and for four
@@ -63,10 +82,12 @@ inline double max(double a, double b) { return a > b ? a : b; }
 inline double min(double a, double b) { return a < b ? a : b; }
 inline double abs(double a) { return std::fabs(a); }
 inline Pack max(const Pack& a, const Pack& b) {
-  return detail::with_registers(a, b, [](const auto& x, const auto& y) { return x > y ? x : y; });
+  return detail::with_registers(a, b,
+                                [](const auto& x, const auto& y) { return detail::larger(x, y); });
 }
 inline Pack min(const Pack& a, const Pack& b) {
-  return detail::with_registers(a, b, [](const auto& x, const auto& y) { return x < y ? x : y; });
+  return detail::with_registers(a, b,
+                                [](const auto& x, const auto& y) { return detail::smaller(x, y); });
 }
 inline Pack abs(const Pack& a) {
   constexpr long long magnitude = 0x7fff'ffff'ffff'ffff;
@@ -79,13 +100,26 @@ T clamp(const T& value, const T& low, const T& high) {
   return max(low, min(value, high));
 }
 
-/// Minus one, zero or one. Zero stays zero: a velocity of exactly zero must not be damped to one
-/// side, or rounding would decide which wing of a crack runs.
-inline Pack sign(const Pack& a) {
-  return detail::with_registers(a, Pack{}, [](const auto& x, const auto& zero) {
-    const auto one = zero + 1.0;
-    return (x > zero ? one : zero) - (x < zero ? one : zero);
+/// `size`, which is not negative, with the sign of `of`, lane by lane; zero where that is zero: a
+/// velocity of exactly zero must not be damped to one side, or rounding would decide which wing of
+/// a crack runs.
+inline Pack with_sign(const Pack& size, const Pack& of) {
+  return detail::with_registers(size, of, [](const auto& x, const auto& y) {
+    using Bits = decltype(y < y);
+    constexpr long long sign_bit = std::numeric_limits<long long>::min();
+    const Bits signs = std::bit_cast<Bits>(y) & (Bits{} + sign_bit), is_not_zero = y != 0.0;
+    return std::bit_cast<std::remove_cvref_t<decltype(x)>>((std::bit_cast<Bits>(x) ^ signs) &
+                                                           is_not_zero);
   });
+}
+
+/// a + signs * b, whose signs are 1 or -1: rounded once, whether the compiler fuses it or not.
+inline Pack plus_signed(const Pack& a, const Pack& signs, const Pack& b) {
+#ifdef __FMA__
+  return __builtin_ia32_vfmaddpd256(b, signs, a);
+#else
+  return a + signs * b;
+#endif
 }
 
 /// Whether a comparison holds in any lane.

@@ -59,7 +59,7 @@ struct ContactBlocks {
 
  private:
   [[gnu::always_inline]] Pack difference(Index first, Index second) const {
-    return RowPlace::at(displacement, second) + flipped(RowPlace::at(displacement, first));
+    return difference_row(RowPlace::at(displacement, first), RowPlace::at(displacement, second));
   }
 };
 

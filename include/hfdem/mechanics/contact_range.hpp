@@ -77,7 +77,7 @@ class ContactRange {
   /// The present relative motion of one contact.
   Motion<double> motion(std::size_t c, std::span<const Pack> displacement) const {
     const auto [first, second] = bodies(c);
-    const Pack d = displacement[second] + flipped(displacement[first]);
+    const Pack d = difference_row(displacement[first], displacement[second]);
     return frame_[c].motion(d[0], d[1], d[2], d[3]);
   }
   /// The present response of one contact; changes nothing.

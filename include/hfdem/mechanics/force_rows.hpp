@@ -77,11 +77,11 @@ class ForceRows {
     const Index* place = usual_rows_.data() + usual * body;
     const Pack* rows = rows_.data();
     const unsigned signs = signs_[body];
-    const auto& flip = flips_[signs % (1U << usual)];
+    const auto& sign = signs_of_rows_[signs % (1U << usual)];
     Pack sum{};
     for (std::size_t k = 0; k < usual; k += 2)
-      sum += flipped_by(flip[k], RowPlace::at(rows, place[k])) +
-             flipped_by(flip[k + 1], RowPlace::at(rows, place[k + 1]));
+      sum += plus_signed(sign[k] * RowPlace::at(rows, place[k]), sign[k + 1],
+                         RowPlace::at(rows, place[k + 1]));
     if (signs >= has_further) {
       for (Index k = further_from_[body]; k < further_from_[body + 1]; k += 2)
         sum += signed_row(further_[k]) + signed_row(further_[k + 1]);
@@ -107,23 +107,15 @@ class ForceRows {
   static constexpr std::size_t usual = 6;
   static constexpr unsigned has_further = 1U << 7;  // in a body's signs
 
-  static Pack flipped_by(const PackMask& mask, const Pack& row) {
-    return std::bit_cast<Pack>(std::bit_cast<PackMask>(row) ^ mask);
-  }
-  static PackMask flip(bool first) {
-    constexpr long long sign_bit = std::numeric_limits<long long>::min();
-    return first ? PackMask{sign_bit, sign_bit, sign_bit, 0} : PackMask{};
-  }
-  Pack signed_row(Index entry) const {
-    return flipped_by(flip((entry & 1U) != 0), rows_[entry >> 1]);
-  }
+  static Pack sign(bool first) { return first ? of_first : Pack{1, 1, 1, 1}; }
+  Pack signed_row(Index entry) const { return sign((entry & 1U) != 0) * rows_[entry >> 1]; }
 
-  /// What every pattern of signs does to the usual rows.
-  static std::vector<std::array<PackMask, usual>> all_flips() {
-    std::vector<std::array<PackMask, usual>> flips(1U << usual);
-    for (std::size_t signs = 0; signs < flips.size(); ++signs)
-      for (std::size_t k = 0; k < usual; ++k) flips[signs][k] = flip((signs >> k & 1U) != 0);
-    return flips;
+  /// What every pattern of first and second bodies makes of the usual rows.
+  static std::vector<std::array<Pack, usual>> all_signs() {
+    std::vector<std::array<Pack, usual>> all(1U << usual);
+    for (std::size_t signs = 0; signs < all.size(); ++signs)
+      for (std::size_t k = 0; k < usual; ++k) all[signs][k] = sign((signs >> k & 1U) != 0);
+    return all;
   }
 
   /// Moves pairs that match to the front, behind those that are `paired` already.
@@ -164,7 +156,7 @@ class ForceRows {
   std::vector<Pull> pulls_;          // until they are arranged
   std::vector<Index> usual_rows_;    // places of those of each body
   std::vector<std::uint8_t> signs_;  // of each body: in which of them it is the first
-  std::vector<std::array<PackMask, usual>> flips_ = all_flips();
+  std::vector<std::array<Pack, usual>> signs_of_rows_ = all_signs();
   std::vector<Index> further_;       // of bodies with more contacts, in pairs: row and sign
   std::vector<Index> further_from_;  // where they begin, of each body; and the end
 };

@@ -25,7 +25,7 @@ inline Pack with_whole_torque(const Pack& force) {
 
 /// What local damping takes from a resultant force, component by component: d |F| sign(v).
 inline Pack local_damping(double d, const Pack& force, const Pack& velocity) {
-  return d * abs(force) * sign(velocity);
+  return with_sign(d * abs(force), velocity);
 }
 
 /// The time stepping of the discs; platens are moved by `Loading`.

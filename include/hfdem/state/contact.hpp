@@ -106,11 +106,15 @@ struct ContactGeometry {
   Frame<double> frame;  ///< normal and arms at bonding
 };
 
-/// The row as its contact's first body sees it: all lanes but the last change sign.
-inline Pack flipped(const Pack& row) {
-  constexpr long long sign_bit = std::numeric_limits<long long>::min();
-  return std::bit_cast<Pack>(std::bit_cast<PackMask>(row) ^
-                             PackMask{sign_bit, sign_bit, sign_bit, 0});
+/// What a contact's first body makes of its row: all lanes but the last change sign.
+inline constexpr Pack of_first{-1, -1, -1, 1};
+
+/// The row as its contact's first body sees it.
+inline Pack flipped(const Pack& row) { return of_first * row; }
+
+/// The difference row of two bodies' rows.
+inline Pack difference_row(const Pack& first, const Pack& second) {
+  return plus_signed(second, of_first, first);
 }
 
 }  // namespace hfdem
