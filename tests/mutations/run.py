@@ -83,7 +83,7 @@ MUTATIONS = [
     ("saved state without the end of a rise", INJECTION, "archive(rate_, rise_, changes_)", "archive(rate_, changes_)", "schemes/saved_state"),
     ("mass of a disc", "state/discs.hpp", "s.density * std", "1.05 * s.density * std", "loops/disc_motion"),
     ("inertia of a disc", "state/discs.hpp", "radius[disc] / 2;", "radius[disc] / 2.1;", "loops/disc_motion"),
-    ("damping", "mechanics/motion.hpp", "return d * abs(force)", "return 1.05 * d * abs(force)", "loops/disc_motion"),
+    ("damping", "mechanics/motion.hpp", "with_sign(d * abs(force)", "with_sign(1.05 * d * abs(force)", "loops/disc_motion"),
     ("damping in the stable step", "mechanics/stable_step.hpp", "std::sqrt(1 + damping)", "1", "loops/stable_step"),
     ("in-situ force on a side", "mechanics/loading.hpp", "stress_.xx * height_", "1.05 * stress_.xx * height_", "loops/loading"),
     ("coefficient of the KGD length", "analytic/kgd.hpp", "2 * std::numbers::sqrt2", "2.1 * std::numbers::sqrt2", "physics/closed_forms"),
