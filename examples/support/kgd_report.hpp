@@ -28,6 +28,7 @@ struct KgdOutcome {
   measure::ElasticModuli moduli;
   RunRecord run;
   std::optional<PredictionResults> predicted;  ///< if slits were tested
+  std::string left_out;                        ///< viscosity, in a sentence, where it would matter
 };
 
 template <class Config>
@@ -149,8 +150,7 @@ class KgdReport {
                (flows<Sim> ? ""
                            : " That lengths and widths agree with it is therefore a weak "
                              "statement."));
-    const std::string left_out = viscosity_left_out(config_, sim.time());
-    if (!left_out.empty()) page_.text(left_out);
+    if (!o.left_out.empty()) page_.text(o.left_out);
     page_.text(paper ? "The paper prints " + metres(Verification::kgd_full_length) + " and " +
                            micrometres(Verification::kgd_aperture) + " for the KGD solution."
                      : "The paper's own results hold for its specimen at 0.9 s, not for this run.");

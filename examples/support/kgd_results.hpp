@@ -83,7 +83,8 @@ class KgdResults {
                              peak_pressure_,
                              moduli_,
                              {stopped, unconverged_, watch_.seconds()},
-                             predicted(sim)};
+                             predicted(sim),
+                             viscosity_left_out(config_, sim.time())};
     paraview_.write(sim);
     history_file_.close();
     if (energy_) energy_->close();
@@ -149,7 +150,7 @@ class KgdResults {
   }
 
   Summary summarise(const Sim& sim, const KgdOutcome& outcome) const {
-    const auto& [shape, kgd, far_field, peak_pressure, moduli, run, predicted] = outcome;
+    const auto& [shape, kgd, far_field, peak_pressure, moduli, run, predicted, left_out] = outcome;
     const long steps = sim.mechanical_steps();
     Summary s;
     s.set("time_s", sim.time());
@@ -212,7 +213,7 @@ class KgdResults {
   }
 
   std::string describe(const Sim& sim, const KgdOutcome& outcome) const {
-    const auto& [shape, kgd, far_field, peak_pressure, moduli, run, predicted] = outcome;
+    const auto& [shape, kgd, far_field, peak_pressure, moduli, run, predicted, left_out] = outcome;
     const double net = sim.injection_pressure() - far_field;
     char text[800];
     std::snprintf(text, sizeof text,
@@ -230,7 +231,6 @@ class KgdResults {
                     paper::Verification::full_length, paper::Verification::aperture * 1e6);
       lines += text;
     }
-    const std::string left_out = viscosity_left_out(config_, sim.time());
     return left_out.empty() ? lines : lines + left_out + "\n";
   }
 

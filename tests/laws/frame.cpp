@@ -41,7 +41,7 @@ Row difference_row(const Both& moved) {
   const auto& [first, second] = moved;
   const Pack row_first{first.xy.x, first.xy.y, first.turn, first.turn};
   const Pack row_second{second.xy.x, second.xy.y, second.turn, second.turn};
-  return std::bit_cast<Row>(row_second + hfdem::flipped(row_first));
+  return std::bit_cast<Row>(hfdem::difference_row(row_first, row_second));
 }
 
 hfdem::Motion<double> motion_of(const hfdem::Frame<double>& frame, const Both& moved) {
@@ -59,7 +59,7 @@ Row force_row(const hfdem::Frame<double>& frame, const hfdem::Reaction<double>& 
 Both loads_of(const hfdem::Frame<double>& frame, const hfdem::Reaction<double>& reaction) {
   const auto load = [](const Row& row) { return Body{{row[0], row[1]}, row[2] + row[3]}; };
   const Row row = force_row(frame, reaction);
-  return {load(std::bit_cast<Row>(hfdem::flipped(std::bit_cast<Pack>(row)))), load(row)};
+  return {load(std::bit_cast<Row>(hfdem::of_first * std::bit_cast<Pack>(row))), load(row)};
 }
 
 // No slip: what is loaded elastically must come back.

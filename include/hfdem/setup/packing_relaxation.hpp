@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -39,7 +37,7 @@ class PackingRelaxation {
         velocity_(specimen.size()),
         sums_((specimen.size() + grain - 1) / grain),
         farthest_(sums_.size()),
-        flips_(all_flips()) {}
+        signs_(all_signs()) {}
 
   /// Until the mean resultant on a disc is at most `tolerance` of the mean contact force.
   /// @throws RunStopped if that takes too long
@@ -88,19 +86,16 @@ class PackingRelaxation {
   using Lanes = std::array<Pack, four>;
   static Pack sum(const Lanes& l) { return (l[0] + l[1]) + (l[2] + l[3]); }
 
-  /// Turns the first two of (x, y, radius, 0), and of a pair's row.
-  static constexpr PackMask flip{std::numeric_limits<long long>::min(),
-                                 std::numeric_limits<long long>::min(), 0, 0};
-  static Pack flipped_by(const PackMask& mask, const Pack& row) {
-    return std::bit_cast<Pack>(std::bit_cast<PackMask>(row) ^ mask);
-  }
-  using Flips = std::array<std::array<PackMask, usual>, usual + 1>;
-  /// What a disc does to its usual rows that is the second disc in so many of them.
-  static Flips all_flips() {
-    Flips flips{};
-    for (std::size_t seconds = 0; seconds < flips.size(); ++seconds)
-      std::fill_n(flips[seconds].begin(), seconds, flip);
-    return flips;
+  /// The signs of (x, y, radius, 0), and of a pair's row, for the first disc and for the second.
+  static constexpr Pack as_first{1, 1, 1, 1}, as_second{-1, -1, 1, 1};
+  using Signs = std::array<std::array<Pack, usual>, usual + 1>;
+  /// Those of a disc's usual rows if it is the second disc in so many of them.
+  static Signs all_signs() {
+    Signs signs{};
+    for (std::size_t seconds = 0; seconds < signs.size(); ++seconds)
+      for (std::size_t k = 0; k < usual; ++k)
+        signs[seconds][k] = k < seconds ? as_second : as_first;
+    return signs;
   }
 
   double discs() const { return static_cast<double>(specimen_.size()); }
@@ -190,7 +185,7 @@ class PackingRelaxation {
   /// Writes the rows of four pairs: the force on the first disc, its size, and one if they touch.
   void pull(std::size_t k) {
     const auto row = [&](std::size_t pair) {
-      return row_[pairs_[pair].first] + flipped_by(flip, row_[pairs_[pair].second]);
+      return plus_signed(row_[pairs_[pair].first], as_second, row_[pairs_[pair].second]);
     };
     Pack away_x = row(k), away_y = row(k + 1), radii = row(k + 2), unused = row(k + 3);
     transpose(away_x, away_y, radii, unused);
@@ -218,18 +213,14 @@ class PackingRelaxation {
     Lanes rows{};
     const Index begin = begin_[disc], end = begin_[disc + 1], seconds = as_second_[disc];
     const Index* place = &place_[begin];
-    const auto& flips = flips_[std::min(seconds, usual)];
-    for (std::size_t k = 0; k < usual; ++k) {
-      const Pack row = flipped_by(flips[k], RowPlace::at(pull_.data(), place[k]));
-      rows[k % four] += row;
-      sums[k % four] += row;
-    }
-    for (Index k = usual; k < end - begin; ++k) {
-      const Pack row =
-          flipped_by(k < seconds ? flip : PackMask{}, RowPlace::at(pull_.data(), place[k]));
-      rows[k % four] += row;
-      sums[k % four] += row;
-    }
+    const auto add = [&](std::size_t k, const Pack& sign) {
+      const Pack& row = RowPlace::at(pull_.data(), place[k]);
+      rows[k % four] = plus_signed(rows[k % four], sign, row);
+      sums[k % four] += row;  // whose force and touch have no sign
+    };
+    const auto& signs = signs_[std::min(seconds, usual)];
+    for (std::size_t k = 0; k < usual; ++k) add(k, signs[k]);
+    for (Index k = usual; k < end - begin; ++k) add(k, k < seconds ? as_second : as_first);
     const Pack force = sum(rows);
     return {force[0] + wall[0] - wall[1], force[1] + wall[2] - wall[3]};
   }
@@ -264,7 +255,7 @@ class PackingRelaxation {
   std::vector<Index> begin_{};      ///< where the places of each disc's rows begin, and the end
   std::vector<Index> place_{};      ///< of rows
   std::vector<Index> as_second_{};  ///< in how many of its pairs a disc is the second
-  Flips flips_;
+  Signs signs_;
 };
 
 }  // namespace hfdem::detail

@@ -3,9 +3,7 @@
 /// value type, so one formula serves a single contact (`double`) and four at once (`Pack`).
 #pragma once
 
-#include <bit>
 #include <compare>
-#include <limits>
 
 #include <hfdem/base/index.hpp>
 #include <hfdem/base/pack.hpp>
@@ -74,8 +72,9 @@ struct Springs {
 /// Geometry of contacts, fixed at bonding (small strain).
 ///
 /// A body's row holds (x, y, rotation, rotation). The *difference row* of a contact is
-/// (dx, dy, rotation difference, rotation sum) = second + flipped(first), and its *force row* is
-/// dual to it: the first body receives it flipped, and the torque is the sum of the last two lanes.
+/// (dx, dy, rotation difference, rotation sum) = second + of_first * first, and its *force row* is
+/// dual to it: the first body receives of_first times it, and the torque is the sum of the last two
+/// lanes.
 /// @tparam T value type
 template <class T>
 struct Frame {
@@ -106,13 +105,10 @@ struct ContactGeometry {
   Frame<double> frame;  ///< normal and arms at bonding
 };
 
-/// What a contact's first body makes of its row: all lanes but the last change sign.
+/// The signs with which a contact sees the row of its first body, and that body the contact's.
 inline constexpr Pack of_first{-1, -1, -1, 1};
 
-/// The row as its contact's first body sees it.
-inline Pack flipped(const Pack& row) { return of_first * row; }
-
-/// The difference row of two bodies' rows.
+/// The difference row of two bodies' rows, m and rad.
 inline Pack difference_row(const Pack& first, const Pack& second) {
   return plus_signed(second, of_first, first);
 }
